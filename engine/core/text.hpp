@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Polylume authors
+// SPDX-License-Identifier: MIT
+
+#pragma once
+
+#include <sstream>
+#include <string>
+
+namespace polylume {
+
+/// Joins values to one string by their stream operators. The embeddable modules use it in place of
+/// a formatting library, so that they depend on none.
+template <typename... Values>
+std::string concat(const Values&... values) {
+    std::ostringstream stream;
+    (stream << ... << values);
+    return stream.str();
+}
+
+}  // namespace polylume

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Polylume authors
+// SPDX-License-Identifier: MIT
+
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace polylume {
+
+/// Named values stored with an image: EXR attributes, PNG text.
+using ImageMetadata = std::map<std::string, std::variant<int, float, std::string>>;
+
+/// A picture of float channels, row by row from the top, channels interleaved.
+struct FloatImage {
+    int width = 0;
+    int height = 0;
+    std::vector<std::string>
+        channelNames;           ///< One per channel, in the order of storage: "R", "normal.X"
+    std::vector<float> pixels;  ///< width * height * channelNames.size()
+    ImageMetadata metadata;
+
+    std::size_t channelCount() const { return channelNames.size(); }
+    /// Where the channel of this name is in a pixel, from 0; empty when there is none.
+    std::optional<std::size_t> channelIndex(std::string_view name) const {
+        const auto found = std::find(channelNames.begin(), channelNames.end(), name);
+        if (found == channelNames.end()) return std::nullopt;
+        return static_cast<std::size_t>(found - channelNames.begin());
+    }
+    /// The first value of the pixel in column `x` from the left, row `y` from the top.
+    float* pixel(int x, int y) { return pixels.data() + pixelOffset(x, y); }
+    const float* pixel(int x, int y) const { return pixels.data() + pixelOffset(x, y); }
+
+  private:
+    std::size_t pixelOffset(int x, int y) const {
+        return (static_cast<std::size_t>(y) * width + x) * channelNames.size();
+    }
+};
+
+/// A decoded PNG or JPEG as it was stored: integers, no colour conversion, rows from the top,
+/// channels interleaved: 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA.
+struct PixelImage {
+    int width = 0;
+    int height = 0;
+    int channelCount = 0;
+    int bitsPerChannel = 8;            ///< 8, or 16 in the byte order of this machine
+    std::vector<std::uint8_t> pixels;  ///< width * height * channelCount * bitsPerChannel / 8
+};
+
+}  // namespace polylume

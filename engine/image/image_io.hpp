@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Polylume authors
+// SPDX-License-Identifier: MIT
+
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+#include "image/image.hpp"
+
+namespace polylume {
+
+// All of these open the shared object that holds OpenImageIO at their first call, so that a program
+// which touches no image never loads it (it brings some 260 libraries and a quarter of a second).
+// They may be called from several threads at once and throw Error.
+
+/// Opens the shared object ahead of the first use, for instance from a thread while a context is
+/// made.
+void loadImageLibrary();
+
+/// Decodes a PNG or JPEG that lies in memory, by its content, not by a file name. Palettes come as
+/// RGB or RGBA, fewer than 8 bits as 8, CMYK as RGB; alpha is neither multiplied nor divided, and
+/// an EXIF orientation is not applied. `name` says in error messages what it is.
+PixelImage decodeImage(std::span<const std::byte> encoded, std::string_view name);
+
+/// Reads any image that OpenImageIO reads as float, all channels of its first part, unconverted
+/// (integers as 0 to 1). An EXR's channels come in OpenImageIO's order: R, G, B, A and Z first,
+/// then by name, so ask FloatImage::channelIndex(). `metadata` holds what the file says in int,
+/// float and string attributes.
+FloatImage readImage(const std::filesystem::path& path);
+
+enum class ExrPrecision { half, single };
+
+/// Writes an OpenEXR of named channels and metadata, ZIP-compressed, by way of a temporary file.
+/// The same image gives the same bytes: the date is left empty. The channel's part before the last
+/// "." is its layer ("normal.X"); the file holds the channels in the order of their names, as
+/// OpenEXR asks.
+void writeExr(const std::filesystem::path& path, const FloatImage& image, ExrPrecision precision);
+
+/// Writes an 8-bit PNG of 3 or 4 channels, already sRGB-encoded and with alpha not multiplied in,
+/// by way of a temporary file. Each entry of `metadata` becomes a text chunk, numbers in their
+/// shortest form; its name takes 1 to 79 printable ASCII characters.
+void writePng(const std::filesystem::path& path, const PixelImage& image,
+              const ImageMetadata& metadata);
+
+}  // namespace polylume

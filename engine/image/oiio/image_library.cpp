@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Polylume authors
+// SPDX-License-Identifier: MIT
+
+#include "image/image_library.hpp"
+
+#include <exception>
+#include <new>
+
+#include "oiio_calls.hpp"
+
+namespace polylume {
+namespace {
+
+/// Runs `work` and gives the message of what it throws.
+template <typename Work>
+std::string messageOf(const Work& work) {
+    try {
+        work();
+        return {};
+    } catch (const std::bad_alloc&) {
+        return "not enough memory for the image";
+    } catch (const std::exception& error) {
+        return *error.what() != '\0' ? error.what() : "unknown failure";
+    } catch (...) {
+        return "unknown failure inside OpenImageIO";
+    }
+}
+
+constexpr ImageLibrary kLibrary = {
+    .decode = [](std::span<const std::byte> encoded, std::string_view name, PixelImage& image)
+        -> std::string { return messageOf([&] { image = oiio::decode(encoded, name); }); },
+    .read = [](const std::filesystem::path& path, FloatImage& image) -> std::string {
+        return messageOf([&] { image = oiio::read(path); });
+    },
+    .encodeExr = [](const FloatImage& image, ExrPrecision precision, std::vector<std::byte>& file)
+        -> std::string { return messageOf([&] { file = oiio::encodeExr(image, precision); }); },
+    .encodePng = [](const PixelImage& image, const ImageMetadata& metadata,
+                    std::vector<std::byte>& file) -> std::string {
+        return messageOf([&] { file = oiio::encodePng(image, metadata); });
+    },
+};
+
+}  // namespace
+}  // namespace polylume
+
+extern "C" [[gnu::visibility("default")]] const polylume::ImageLibrary* polylumeImageLibrary(
+    int version) {
+    return version == polylume::kImageLibraryVersion ? &polylume::kLibrary : nullptr;
+}

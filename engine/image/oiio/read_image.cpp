@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Polylume authors
+// SPDX-License-Identifier: MIT
+
+#include <memory>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "oiio_calls.hpp"
+
+namespace polylume::oiio {
+namespace {
+
+ImageMetadata readMetadata(const OIIO::ImageSpec& spec) {
+    ImageMetadata metadata;
+    for (const OIIO::ParamValue& value : spec.extra_attribs) {
+        const std::string name = value.name().string();
+        if (value.type() == OIIO::TypeString) {
+            metadata[name] = value.get_string();
+        } else if (value.type() == OIIO::TypeInt) {
+            metadata[name] = value.get_int();
+        } else if (value.type() == OIIO::TypeFloat) {
+            metadata[name] = value.get_float();
+        }
+    }
+    return metadata;
+}
+
+}  // namespace
+
+FloatImage read(const std::filesystem::path& path) {
+    OIIO::ImageSpec wanted;
+    wanted.attribute("oiio:UnassociatedAlpha", 1);
+    const std::unique_ptr<OIIO::ImageInput> file = OIIO::ImageInput::open(path.string(), &wanted);
+    const auto fail = [&] {
+        throw Error(concat("can't read ", path.string(), ": ", takeMessage(file.get())));
+    };
+    if (file == nullptr) fail();
+    const OIIO::ImageSpec& spec = file->spec();
+    checkSize(spec, path.string());
+
+    FloatImage image;
+    image.width = spec.width;
+    image.height = spec.height;
+    image.channelNames = spec.channelnames;
+    image.metadata = readMetadata(spec);
+    image.pixels.resize(static_cast<std::size_t>(spec.width) * spec.height * spec.nchannels);
+    if (!file->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.pixels.data())) {
+        fail();
+    }
+    file->close();
+    takeMessage(file.get());
+    return image;
+}
+
+}  // namespace polylume::oiio

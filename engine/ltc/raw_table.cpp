@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The Polylume authors
+// SPDX-License-Identifier: MIT
+
+#include "ltc/table.hpp"
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+
+// The raw form of a table, all little-endian:
+//   8 bytes   "PLUMELTC"
+//   4 x u32   format version, size, values per node, bytes of text
+//   text      lines "name=value", first "values=m11,m13,...", padded with spaces to whole 16 bytes
+//   floats    size * size * values per node, row by row
+namespace polylume::ltc {
+namespace {
+
+constexpr std::string_view kMagic = "PLUMELTC";
+constexpr std::size_t kHeaderBytes = 24;
+constexpr std::size_t kAlignment = 16;
+constexpr std::string_view kRemedy = "; make it anew with \"polylume fit\"";
+
+std::uint32_t readU32(std::span<const std::byte> raw, std::size_t offset) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        value |= std::to_integer<std::uint32_t>(raw[offset + i]) << (8 * i);
+    }
+    return value;
+}
+
+void appendU32(std::vector<std::byte>& raw, std::uint32_t value) {
+    for (int i = 0; i < 4; ++i) raw.push_back(static_cast<std::byte>(value >> (8 * i) & 0xff));
+}
+
+std::string joinedValueNames() {
+    std::string names;
+    for (const std::string_view name : Table::kValueNames) {
+        if (!names.empty()) names += ',';
+        names += name;
+    }
+    return names;
+}
+
+std::map<std::string, std::string> parseText(std::string_view text) {
+    std::map<std::string, std::string> attributes;
+    while (!text.empty()) {
+        const std::size_t end = text.find('\n');
+        const std::string_view line = text.substr(0, end);
+        text.remove_prefix(end == text.npos ? text.size() : end + 1);
+        const std::size_t equals = line.find('=');
+        if (equals == line.npos) continue;  // The padding.
+        attributes.emplace(line.substr(0, equals), line.substr(equals + 1));
+    }
+    return attributes;
+}
+
+Table parseRaw(std::span<const std::byte> raw) {
+    const bool hasMagic =
+        raw.size() >= kHeaderBytes && std::memcmp(raw.data(), kMagic.data(), kMagic.size()) == 0;
+    if (!hasMagic) {
+        throw Error(concat("expected a raw table that begins with \"", kMagic, "\", found ",
+                           raw.size(), " bytes of something else", kRemedy));
+    }
+    const std::uint32_t version = readU32(raw, 8);
+    const std::uint32_t size = readU32(raw, 12);
+    const std::uint32_t valueCount = readU32(raw, 16);
+    const std::uint32_t textBytes = readU32(raw, 20);
+    if (version != Table::kFormatVersion || valueCount != Table::kValueCount) {
+        throw Error(concat("expected format version ", Table::kFormatVersion, " with ",
+                           Table::kValueCount, " values a node, found version ", version, " with ",
+                           valueCount, kRemedy));
+    }
+    if (size < Table::kMinSize || size > Table::kMaxSize) {
+        throw Error(concat("expected ", Table::kMinSize, " to ", Table::kMaxSize,
+                           " nodes a side, found ", size, kRemedy));
+    }
+    const std::size_t floatCount = std::size_t{size} * size * valueCount;
+    const std::size_t expectedBytes = kHeaderBytes + textBytes + floatCount * sizeof(float);
+    if (raw.size() != expectedBytes) {
+        throw Error(concat("expected ", expectedBytes, " bytes for ", size, "x", size,
+                           " nodes, found ", raw.size(), ": cut short or damaged", kRemedy));
+    }
+    auto attributes =
+        parseText({reinterpret_cast<const char*>(raw.data()) + kHeaderBytes, textBytes});
+    if (attributes["values"] != joinedValueNames()) {
+        throw Error(concat("expected the values ", joinedValueNames(), ", found \"",
+                           attributes["values"], "\"", kRemedy));
+    }
+    attributes.erase("values");
+    std::vector<float> values(floatCount);
+    for (std::size_t i = 0; i < floatCount; ++i) {
+        values[i] = std::bit_cast<float>(readU32(raw, kHeaderBytes + textBytes + 4 * i));
+    }
+    return Table(static_cast<int>(size), std::move(values), std::move(attributes));
+}
+
+}  // namespace
+
+Table Table::fromRaw(std::span<const std::byte> raw, std::string_view name) {
+    try {
+        return parseRaw(raw);
+    } catch (const Error& error) {
+        throw Error(concat(name, ": ", error.what()));
+    }
+}
+
+std::vector<std::byte> Table::toRaw() const {
+    std::string text = concat("values=", joinedValueNames(), "\n");
+    for (const auto& [name, value] : attributes_) text += concat(name, "=", value, "\n");
+    while ((kHeaderBytes + text.size()) % kAlignment != 0) text += ' ';
+
+    std::vector<std::byte> raw;
+    raw.reserve(kHeaderBytes + text.size() + values_.size() * sizeof(float));
+    for (const char c : kMagic) raw.push_back(static_cast<std::byte>(c));
+    appendU32(raw, kFormatVersion);
+    appendU32(raw, static_cast<std::uint32_t>(size_));
+    appendU32(raw, kValueCount);
+    appendU32(raw, static_cast<std::uint32_t>(text.size()));
+    for (const char c : text) raw.push_back(static_cast<std::byte>(c));
+    for (const float value : values_) appendU32(raw, std::bit_cast<std::uint32_t>(value));
+    return raw;
+}
+
+}  // namespace polylume::ltc
