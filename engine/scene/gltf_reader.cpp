@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Polylume authors
+// SPDX-License-Identifier: MIT
+
+#include "scene/gltf_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "scene/camera_reader.hpp"
+#include "scene/gltf_document.hpp"
+#include "scene/light_reader.hpp"
+#include "scene/material_reader.hpp"
+#include "scene/mesh_builder.hpp"
+#include "scene/node_graph.hpp"
+
+namespace polylume::scene {
+namespace {
+
+/// Squares of lengths have to stay within single precision everywhere later on.
+void checkExtent(const Scene& scene) {
+    const Bounds bounds = scene.bounds();
+    if (bounds.isEmpty()) return;
+    const glm::vec3 size = glm::max(glm::abs(bounds.minimum), glm::abs(bounds.maximum));
+    const float largest = std::max(std::max(size.x, size.y), size.z);
+    if (largest <= 1e15f) return;
+    throw Error(
+        concat("expected a scene of at most 1e15 metres, found ", largest, " (", scene.name, ")"));
+}
+
+Scene readScene(const std::filesystem::path& path) {
+    const GltfDocument document = GltfDocument::load(path);
+    const NodeGraph graph(document);
+    Scene scene;
+    scene.name = document.fileName();
+    MaterialReader materials(document, scene);
+    MeshBuilder meshes(document, graph, materials, scene);
+    for (const int node : graph.sceneNodes()) {
+        const tinygltf::Node& source = document.model().nodes[node];
+        if (source.mesh >= 0) meshes.addNode(node);
+        if (source.camera >= 0) scene.cameras.push_back(readCamera(document, graph, node));
+        addLights(document, graph, node, scene);
+    }
+    if (scene.materials.empty()) scene.materials.emplace_back();
+    checkExtent(scene);
+    materials.decodeImages();
+    return scene;
+}
+
+}  // namespace
+
+Scene readGltf(const std::filesystem::path& path) {
+    try {
+        return readScene(path);
+    } catch (const std::bad_alloc&) {
+        throw Error(concat("there is not enough memory for ", path.filename().string()));
+    }
+}
+
+}  // namespace polylume::scene

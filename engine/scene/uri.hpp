@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Polylume authors
+// SPDX-License-Identifier: MIT
+
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace polylume::scene {
+
+/// The bytes that a glTF URI leads to: a "data:" URI, or a file named relative to `folder` with
+/// percent-encoding (RFC 3986). `place` says in error messages who refers to it. Throws Error where
+/// the URI is malformed, is of a network, or its file can't be read.
+std::vector<std::byte> readUri(std::string_view uri, const std::filesystem::path& folder,
+                               std::string_view place);
+
+}  // namespace polylume::scene

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The Polylume authors
+// SPDX-License-Identifier: MIT
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "scene/light.hpp"
+#include "scene/merge.hpp"
+#include "unit/scene/gltf_builder.hpp"
+
+namespace polylume::scene::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr float kTolerance = 1e-6f;
+
+GltfBuilder withAreaLight(json light, json node = json::object()) {
+    GltfBuilder builder;
+    builder.document["extensions"]["EXT_lights_area"]["lights"] = json::array({std::move(light)});
+    node["extensions"]["EXT_lights_area"]["light"] = 0;
+    builder.addNode(std::move(node));
+    return builder;
+}
+
+GltfBuilder withPunctualLight(json light, json node = json::object()) {
+    GltfBuilder builder;
+    builder.document["extensions"]["KHR_lights_punctual"]["lights"] =
+        json::array({std::move(light)});
+    node["extensions"]["KHR_lights_punctual"]["light"] = 0;
+    builder.addNode(std::move(node));
+    return builder;
+}
+
+double area(const std::vector<glm::vec3>& contour, const glm::vec3& towards) {
+    glm::dvec3 sum(0.0);
+    for (std::size_t i = 0; i < contour.size(); ++i) {
+        sum += glm::cross(glm::dvec3(contour[i]), glm::dvec3(contour[(i + 1) % contour.size()]));
+    }
+    return 0.5 * glm::dot(sum, glm::dvec3(towards));
+}
+
+TEST(AreaLightTest, HasTheDefaultsOfTheExtension) {
+    const WarningLog log;
+    const AreaLight light = withAreaLight({{"type", "rect"}}).read().areaLights.at(0);
+    EXPECT_EQ(light.shape, AreaLightShape::rectangle);
+    EXPECT_EQ(light.radiance, glm::vec3(1000.0f));
+    EXPECT_EQ(light.size, glm::vec2(1.0f));
+    EXPECT_FALSE(light.twoSided);
+    EXPECT_THAT(log.messages, ElementsAre(HasSubstr("no \"rect\"")));
+}
+
+TEST(AreaLightTest, ReadsARectangle) {
+    const WarningLog log;
+    const AreaLight light = withAreaLight({{"name", "panel"},
+                                           {"type", "rect"},
+                                           {"color", {1, 0.5, 0.25}},
+                                           {"intensity", 5000000000},
+                                           {"size", 2},
+                                           {"rect", {{"aspect", 1.5}}}})
+                                .read()
+                                .areaLights.at(0);
+    EXPECT_EQ(light.name, "panel");
+    // Above the range of 32-bit integers, as tinygltf would read it.
+    EXPECT_EQ(light.radiance, glm::vec3(5e9f, 2.5e9f, 1.25e9f));
+    EXPECT_EQ(light.size, glm::vec2(3, 2));
+    EXPECT_THAT(log.messages, IsEmpty());
+}
+
+TEST(AreaLightTest, TakesTheLargestWorldScaleAndTheProductOfRotations) {
+    GltfBuilder builder = withAreaLight({{"type", "disk"}, {"size", 0.5}},
+                                        {{"scale", {1, -4, 1}}, {"translation", {0, 0, 1}}});
+    const float half = std::sqrt(0.5f);
+    builder.document["nodes"].push_back(
+        {{"children", {0}}, {"scale", {3, 1, 2}}, {"rotation", {half, 0, 0, half}}});
+    builder.document["scenes"][0]["nodes"] = {1};
+    const AreaLight light = builder.read().areaLights.at(0);
+    EXPECT_EQ(light.shape, AreaLightShape::disk);
+    // Columns of the world matrix: lengths 3, 4 and 2.
+    EXPECT_NEAR(light.size.x, 2.0f, kTolerance);
+    EXPECT_NEAR(light.size.y, 2.0f, kTolerance);
+    // A quarter turn about x takes -Z to +Y; (0, 0, 2) goes to (0, -2, 0).
+    EXPECT_NEAR(-light.worldFromLight[2].y, 1.0f, kTolerance);
+    EXPECT_NEAR(light.center.y, -2.0f, kTolerance);
+    EXPECT_NEAR(glm::determinant(light.worldFromLight), 1.0f, kTolerance);
+}
+
+TEST(AreaLightTest, WarnsOfFieldsOfOlderDrafts) {
+    const WarningLog log;
+    withAreaLight({{"type", "disk"}, {"shape", "rect"}, {"luminance", 3}, {"radius", {1}}}).read();
+    EXPECT_THAT(log.messages, ElementsAre(HasSubstr("shape is of an older draft"),
+                                          HasSubstr("use intensity"), HasSubstr("use size")));
+}
+
+TEST(AreaLightTest, OutlineTurnsCounterClockwiseSeenFromTheEmittingSide) {
+    AreaLight light;
+    light.size = {3, 2};
+    light.center = {5, 5, 5};
+    const glm::vec3 emitting(0, 0, -1);
+    EXPECT_THAT(outline(light), SizeIs(4));
+    EXPECT_NEAR(area(outline(light), emitting), 6.0, 1e-5);
+    light.shape = AreaLightShape::disk;
+    // Of the ellipse's area, whatever the number of sides.
+    for (const int sides : {3, 64}) {
+        EXPECT_THAT(outline(light, sides), SizeIs(sides));
+        EXPECT_NEAR(area(outline(light, sides), emitting), std::numbers::pi * 1.5, 1e-5);
+    }
+}
+
+TEST(PunctualLightTest, ReadsTheThreeKinds) {
+    const float half = std::sqrt(0.5f);
+    const json node{
+        {"rotation", {half, 0, 0, half}}, {"translation", {1, 2, 3}}, {"scale", {2, 2, -3}}};
+    const PunctualLight point =
+        withPunctualLight(
+            {{"type", "point"}, {"color", {1, 0.5, 0}}, {"intensity", 40}, {"range", 7}})
+            .read()
+            .punctualLights.at(0);
+    EXPECT_EQ(point.type, PunctualLightType::point);
+    EXPECT_EQ(point.intensity, glm::vec3(40, 20, 0));
+    EXPECT_EQ(point.range, 7.0f);
+    json straight = node;
+    straight.erase("scale");
+    const PunctualLight sun =
+        withPunctualLight({{"type", "directional"}}, straight).read().punctualLights.at(0);
+    EXPECT_EQ(sun.type, PunctualLightType::directional);
+    EXPECT_NEAR(sun.direction.y, 1.0f, kTolerance);
+    EXPECT_TRUE(std::isinf(sun.range));
+    const PunctualLight spot =
+        withPunctualLight(
+            {{"type", "spot"}, {"spot", {{"innerConeAngle", 0.1}, {"outerConeAngle", 0.2}}}}, node)
+            .read()
+            .punctualLights.at(0);
+    EXPECT_EQ(spot.innerConeAngle, 0.1f);
+    EXPECT_EQ(spot.outerConeAngle, 0.2f);
+    EXPECT_EQ(spot.position, glm::vec3(1, 2, 3));
+    // A mirroring scale turns -Z about, as it does for everything that the node carries.
+    EXPECT_NEAR(spot.direction.y, -1.0f, kTolerance);
+}
+
+TEST(PunctualLightTest, ClampsConeAnglesWithAWarning) {
+    const WarningLog log;
+    const PunctualLight spot =
+        withPunctualLight(
+            {{"type", "spot"}, {"spot", {{"innerConeAngle", 3}, {"outerConeAngle", 2}}}})
+            .read()
+            .punctualLights.at(0);
+    EXPECT_LT(spot.innerConeAngle, spot.outerConeAngle);
+    EXPECT_LE(spot.outerConeAngle, std::numbers::pi_v<float> / 2);
+    EXPECT_THAT(log.messages, SizeIs(1));
+}
+
+TEST(MergeTest, AddsLightsAndTheCamerasOfASceneWithout) {
+    Scene lights;
+    lights.areaLights.resize(2);
+    lights.punctualLights.resize(1);
+    lights.cameras.resize(1);
+    lights.cameras[0].name = "theirs";
+    Scene scene;
+    scene.areaLights.resize(1);
+    addLightsFrom(scene, lights);
+    EXPECT_THAT(scene.areaLights, SizeIs(3));
+    EXPECT_THAT(scene.punctualLights, SizeIs(1));
+    EXPECT_EQ(scene.cameras.at(0).name, "theirs");
+    scene.cameras[0].name = "ours";
+    addLightsFrom(scene, lights);
+    EXPECT_THAT(scene.cameras, SizeIs(1));
+    EXPECT_EQ(scene.cameras[0].name, "ours");
+}
+
+}  // namespace
+}  // namespace polylume::scene::test
