@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Polylume authors
+// SPDX-License-Identifier: MIT
+
+#include "cli/info_command.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/version.hpp"
+#include "context/context.hpp"
+
+namespace polylume::cli {
+namespace {
+
+void printField(std::string_view name, std::string_view value) {
+    fmt::print("    {:<36}{}\n", name, value);
+}
+
+void printAttempt(const ContextAttempt& attempt) {
+    fmt::print("\n{}\n", attempt.name);
+    if (!attempt.failure.empty()) {
+        printField("not to be had", attempt.failure);
+        return;
+    }
+    printField("vendor", attempt.info.vendor);
+    printField("renderer", attempt.info.renderer);
+    printField("version", attempt.info.version);
+    printField("shading language", attempt.info.shadingLanguageVersion);
+    printField("runs on", attempt.info.software ? "the CPU" : "a GPU");
+    for (const auto& [name, value] : attempt.limits) printField(name, value);
+}
+
+}  // namespace
+
+void runInfo() {
+    fmt::print("Polylume {}\n", kVersion);
+    for (const ContextAttempt& attempt : probeContexts()) printAttempt(attempt);
+}
+
+}  // namespace polylume::cli

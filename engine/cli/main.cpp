@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Polylume authors
+// SPDX-License-Identifier: MIT
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <exception>
+
+#include "cli/info_command.hpp"
+#include "cli/options.hpp"
+#include "cli/terminal.hpp"
+#include "cli/version.hpp"
+
+namespace polylume::cli {
+namespace {
+
+constexpr int kFailed = 1;
+constexpr int kBadUsage = 2;
+
+int runMain(int argc, char** argv) {
+    CLI::App app("Polylume: area lighting by linearly transformed cosines");
+    app.name("polylume");
+    app.set_version_flag("--version", fmt::format("polylume {}", kVersion));
+    app.require_subcommand(1);
+    bool verbose = false;
+    bool quiet = false;
+    app.fallthrough();
+    app.add_flag("-v,--verbose", verbose, "Say more, OpenGL's own messages included");
+    app.add_flag("-q,--quiet", quiet, "Say warnings and errors alone")->excludes("--verbose");
+    app.footer("Exit codes: 0 done, 1 failed, 2 bad usage.");
+
+    RenderCommand render;
+    FitCommand fit;
+    const CLI::App* renderApp = addRenderCommand(app, render);
+    const CLI::App* infoApp =
+        app.add_subcommand("info", "List the OpenGL contexts that can be had here");
+    const CLI::App* fitApp = addFitCommand(app, fit);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? EXIT_SUCCESS : kBadUsage;
+    }
+
+    logToStandardError(verbose ? LogLevel::debug : quiet ? LogLevel::warning : LogLevel::info);
+    try {
+        if (renderApp->parsed()) run(render);
+        if (fitApp->parsed()) run(fit);
+        if (infoApp->parsed()) runInfo();
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "polylume: error: {}\n", error.what());
+        return kFailed;
+    }
+    return EXIT_SUCCESS;
+}
+
+}  // namespace
+}  // namespace polylume::cli
+
+int main(int argc, char** argv) {
+    return polylume::cli::runMain(argc, argv);
+}

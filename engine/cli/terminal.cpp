@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Polylume authors
+// SPDX-License-Identifier: MIT
+
+#include "cli/terminal.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <utility>
+
+namespace polylume::cli {
+
+void logToStandardError(LogLevel level) {
+    setLogSink([level](LogLevel messageLevel, std::string_view message) {
+        if (messageLevel > level) return;
+        fmt::print(stderr, "polylume: {}{}\n", messageLevel == LogLevel::warning ? "warning: " : "",
+                   message);
+    });
+}
+
+ProgressBar::ProgressBar(std::string title)
+    : title_(std::move(title)),
+      start_(std::chrono::steady_clock::now()),
+      isTerminal_(::isatty(STDERR_FILENO) == 1) {}
+
+ProgressBar::~ProgressBar() {
+    // Leaves the line empty for what comes next.
+    if (shown_) fmt::print(stderr, "\r\x1b[K");
+}
+
+void ProgressBar::update(double fraction) {
+    constexpr std::chrono::seconds kPatience{2};
+    constexpr int kWidth = 40;
+    const auto elapsed = std::chrono::steady_clock::now() - start_;
+    if (!isTerminal_ || elapsed < kPatience) return;
+    shown_ = true;
+    const int filled = static_cast<int>(fraction * kWidth);
+    const double seconds = std::chrono::duration<double>(elapsed).count();
+    const double left = fraction > 0.0 ? seconds * (1.0 - fraction) / fraction : 0.0;
+    fmt::print(stderr, "\r{} [{:#<{}}{:.<{}}] {:3.0f} %, {:.0f} s left\x1b[K", title_, "", filled,
+               "", kWidth - filled, 100.0 * fraction, left);
+    std::fflush(stderr);
+}
+
+}  // namespace polylume::cli

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Polylume authors
+// SPDX-License-Identifier: MIT
+
+#include "gl/program.hpp"
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+
+namespace polylume::gl {
+namespace {
+
+void destroyShader(const Functions& gl, GLuint name) {
+    gl.DeleteShader(name);
+}
+using Shader = Handle<&destroyShader>;
+
+template <typename GetLog>
+std::string readLog(GLint length, GetLog getLog) {
+    std::string log(static_cast<std::size_t>(length), '\0');
+    GLsizei written = 0;
+    getLog(length, &written, log.data());
+    log.resize(static_cast<std::size_t>(written));
+    return log;
+}
+
+Shader compile(const Functions& gl, const ShaderLibrary& library, GLenum stage,
+               std::string_view path, std::span<const std::string> defines) {
+    const ShaderSource source = library.expand(path, defines);
+    Shader shader(gl, gl.CreateShader(stage));
+    const char* text = source.text.c_str();
+    gl.ShaderSource(shader.name(), 1, &text, nullptr);
+    gl.CompileShader(shader.name());
+
+    GLint compiled = GL_FALSE;
+    gl.GetShaderiv(shader.name(), GL_COMPILE_STATUS, &compiled);
+    if (compiled != GL_TRUE) {
+        GLint length = 0;
+        gl.GetShaderiv(shader.name(), GL_INFO_LOG_LENGTH, &length);
+        const std::string log = readLog(length, [&](GLsizei size, GLsizei* written, char* buffer) {
+            gl.GetShaderInfoLog(shader.name(), size, written, buffer);
+        });
+        throw ShaderError(concat(path, " does not compile:\n", nameFiles(log, source.files)));
+    }
+    return shader;
+}
+
+}  // namespace
+
+Program::Program(const Functions& gl, const ShaderLibrary& library, std::string_view vertexPath,
+                 std::string_view fragmentPath, std::span<const std::string> defines,
+                 const char* label)
+    : handle_(gl, gl.CreateProgram()) {
+    const Shader vertex = compile(gl, library, GL_VERTEX_SHADER, vertexPath, defines);
+    const Shader fragment = compile(gl, library, GL_FRAGMENT_SHADER, fragmentPath, defines);
+    gl.AttachShader(name(), vertex.name());
+    gl.AttachShader(name(), fragment.name());
+    gl.LinkProgram(name());
+    gl.DetachShader(name(), vertex.name());
+    gl.DetachShader(name(), fragment.name());
+    gl.ObjectLabel(GL_PROGRAM, name(), -1, label);
+
+    GLint linked = GL_FALSE;
+    gl.GetProgramiv(name(), GL_LINK_STATUS, &linked);
+    if (linked != GL_TRUE) {
+        GLint length = 0;
+        gl.GetProgramiv(name(), GL_INFO_LOG_LENGTH, &length);
+        const std::string log = readLog(length, [&](GLsizei size, GLsizei* written, char* buffer) {
+            gl.GetProgramInfoLog(name(), size, written, buffer);
+        });
+        throw ShaderError(concat(vertexPath, " and ", fragmentPath, " do not link:\n", log));
+    }
+}
+
+}  // namespace polylume::gl

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Polylume authors
+// SPDX-License-Identifier: MIT
+
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "gl/handle.hpp"
+#include "gl/shader_library.hpp"
+
+namespace polylume::gl {
+
+/// A linked program of a vertex and a fragment shader.
+class Program {
+  public:
+    Program() = default;
+    /// Assembles, compiles and links `vertexPath` and `fragmentPath` of the library, both with
+    /// `defines`. Throws ShaderError with the driver's log, its lines named by file.
+    Program(const Functions& gl, const ShaderLibrary& library, std::string_view vertexPath,
+            std::string_view fragmentPath, std::span<const std::string> defines, const char* label);
+
+    void use() const { handle_.functions().UseProgram(name()); }
+    GLuint name() const { return handle_.name(); }
+    bool isEmpty() const { return handle_.isEmpty(); }
+
+  private:
+    static void destroy(const Functions& gl, GLuint name) { gl.DeleteProgram(name); }
+    Handle<&Program::destroy> handle_;
+};
+
+}  // namespace polylume::gl

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Polylume authors
+// SPDX-License-Identifier: MIT
+
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace polylume::gl {
+
+/// One stage's source, ready for the compiler.
+struct ShaderSource {
+    std::string text;
+    /// The files that it was put together from, for nameFiles().
+    std::vector<std::string> files;
+};
+
+/// The shaders of `glsl/`, compiled into the program or read from a folder.
+class ShaderLibrary {
+  public:
+    /// Reads each file from `overrideDir` where it has it, for work on shaders without a build.
+    explicit ShaderLibrary(std::optional<std::filesystem::path> overrideDir = std::nullopt);
+
+    /// `path` (from `glsl/`, "passes/lighting.frag") with every `#include "path"`, also from
+    /// `glsl/`, replaced by that file, once each and whatever #if it stands in. `#define NAME`
+    /// lines for `defines` follow the version line. Throws ShaderError with file and line for a
+    /// missing file.
+    ShaderSource expand(std::string_view path, std::span<const std::string> defines = {}) const;
+
+    /// The paths of the files whose name ends in `suffix`.
+    static std::vector<std::string> paths(std::string_view suffix);
+
+  private:
+    std::string read(std::string_view path, std::string_view includedFrom) const;
+    void append(std::string_view path, std::string_view includedFrom, ShaderSource& source) const;
+
+    std::optional<std::filesystem::path> overrideDir_;
+};
+
+/// Puts files and their own line numbers into a compiler's log, in place of the numbers that the
+/// text's #line directives gave: lines begin "passes/lighting.frag:12(5): error" then. `files` is
+/// ShaderSource::files.
+std::string nameFiles(std::string_view log, std::span<const std::string> files);
+
+}  // namespace polylume::gl

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Polylume authors
+// SPDX-License-Identifier: MIT
+
+#pragma once
+
+#include <cmath>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace polylume {
+
+/// A planar Lambertian emitter of any outline.
+struct PolygonLight {
+    /// World positions. The first contour is the outline, counter-clockwise seen from the emitting
+    /// side; the others are holes and turn the other way. Contours are simple and do not cross.
+    std::vector<std::vector<glm::vec3>> contours;
+    glm::vec3 radiance{1000.0f};  ///< Nits per channel.
+    bool twoSided = false;
+};
+
+enum class PunctualLightKind { directional, point, spot };
+
+/// A light without extent, as KHR_lights_punctual has them.
+struct PunctualLight {
+    PunctualLightKind kind = PunctualLightKind::point;
+    glm::vec3 position{0.0f};
+    glm::vec3 direction{0.0f, 0.0f, -1.0f};  ///< Unit; where the light goes.
+    glm::vec3 intensity{1.0f};               ///< Candela per channel; lux for a directional light.
+    float range = INFINITY;
+    float innerConeAngle = 0.0f;  ///< Radians from the axis.
+    float outerConeAngle = 0.785398163f;
+};
+
+struct LightSet {
+    std::vector<PolygonLight> polygons;
+    std::vector<PunctualLight> punctuals;
+};
+
+}  // namespace polylume

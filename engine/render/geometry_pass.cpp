@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Polylume authors
+// SPDX-License-Identifier: MIT
+
+#include "render/geometry_pass.hpp"
+
+#include <algorithm>
+
+namespace polylume {
+
+GeometryPass::GeometryPass(const gl::Functions& gl, const gl::ShaderLibrary& library,
+                           const GpuScene& scene)
+    : gl_(gl), scene_(scene), programs_(gl, library, "passes/gbuffer.frag") {
+    const std::vector<scene::Instance>& instances = scene_.scene().instances;
+    for (int i = 0; i < static_cast<int>(instances.size()); ++i) {
+        const scene::Material& material = scene_.materialOf(instances[static_cast<std::size_t>(i)]);
+        if (material.alphaMode != scene::AlphaMode::blend) order_.push_back(i);
+    }
+    std::ranges::stable_sort(order_, {}, [&](int i) {
+        const scene::Material& material = scene_.materialOf(instances[static_cast<std::size_t>(i)]);
+        return std::pair(materialVariant(material), &material);
+    });
+}
+
+void GeometryPass::draw() {
+    gl_.Disable(GL_BLEND);
+    gl_.Enable(GL_DEPTH_TEST);
+    gl_.DepthFunc(GL_GREATER);
+    gl_.DepthMask(GL_TRUE);
+    for (const int i : order_) {
+        const scene::Instance& instance = scene_.scene().instances[static_cast<std::size_t>(i)];
+        const GpuMesh& mesh = scene_.mesh(instance.mesh);
+        programs_.get(materialVariant(scene_.materialOf(instance))).use();
+        scene_.bindMaterial(
+            scene_.scene().meshes[static_cast<std::size_t>(instance.mesh)].material);
+        scene_.bindInstance(i);
+        gl_.BindVertexArray(mesh.vertexArray().name());
+        gl_.DrawElements(GL_TRIANGLES, mesh.indexCount(), GL_UNSIGNED_INT, nullptr);
+    }
+}
+
+}  // namespace polylume

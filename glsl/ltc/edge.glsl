@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Polylume authors
+// SPDX-License-Identifier: MIT
+
+// The integral of a clamped cosine over a spherical polygon is a sum over its edges (Lambert 1760; Baum, Rushmeier
+// and Winget 1989, eq. 1): (1 / 2 pi) sum theta_i n_i.z, theta_i the angle that edge i spans at the origin and n_i the
+// unit normal of the plane through the edge and the origin.
+
+/// z of the cross product a x b.
+float ltcCrossZ(vec3 a, vec3 b) { return a.x * b.y - a.y * b.x; }
+
+/// theta / sin(theta) for the angle between the unit vectors `a` and `b`, 0 to pi, relative error below 1e-6, no acos.
+///
+/// With y = cos(theta / 2) = |a + b| / 2 the half-angle formulas give theta / sin(theta) = w(y) / y, where
+/// w(y) = acos(y) / sqrt(1 - y^2) is smooth on all of [0, 1]. Taking y from the sum of the vectors keeps the digits near
+/// theta = pi, where a dot product loses them. The polynomial is w's minimax fit for the relative error (7e-8).
+float ltcThetaOverSinTheta(vec3 a, vec3 b) {
+    vec3 sum = a + b;
+    // Opposite vectors: the edge passes through the origin, and its cross product, a factor of the result, is zero.
+    float square = max(dot(sum, sum), 1e-14);
+    float inverseLength = inversesqrt(square);
+    float y = 0.5 * square * inverseLength;
+    float w = 0.0174789969;
+    w = w * y - 0.0972654596;
+    w = w * y + 0.252086997;
+    w = w * y - 0.42358312;
+    w = w * y + 0.556556284;
+    w = w * y - 0.660969317;
+    w = w * y + 0.784880996;
+    w = w * y - 0.999981523;
+    w = w * y + 1.57079625;
+    return w * 2.0 * inverseLength;
+}
+
+/// theta * n.z of the edge from `a` to `b`, neither of them unit, where `crossZ` is the z of a x b. The caller computes
+/// it from a vertex and the edge's own vector, since a difference of two far points has lost its digits.
+float ltcEdgeIntegral(vec3 a, vec3 b, float crossZ) {
+    // The floor only keeps a vertex at the origin finite; its cross product is zero.
+    float inverseA = inversesqrt(max(dot(a, a), 1e-30));
+    float inverseB = inversesqrt(max(dot(b, b), 1e-30));
+    return crossZ * inverseA * inverseB * ltcThetaOverSinTheta(a * inverseA, b * inverseB);
+}
+
+/// The part of an edge that lies at z >= 0, from the z of its ends: the parameters of its first and last point, 0 at the
+/// first end and 1 at the last; equal where nothing is left.
+vec2 ltcClipEdge(float zFirst, float zLast) {
+    float crossing = zFirst / (zFirst - zLast);
+    float first = zFirst >= 0.0 ? 0.0 : (zLast >= 0.0 ? crossing : 0.0);
+    float last = zLast >= 0.0 ? 1.0 : (zFirst >= 0.0 ? crossing : 0.0);
+    return vec2(first, last);
+}

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Polylume authors
+// SPDX-License-Identifier: MIT
+
+#include "shared/camera_data.h"
+#include "shared/emitter_data.h"
+
+out vec3 positionWorld;
+
+/// The bounding rectangle of an area light as a strip of two triangles.
+void main() {
+    float x = float(gl_VertexID & 1);
+    float y = float(gl_VertexID >> 1);
+    positionWorld = emitter.corner.xyz + x * emitter.edgeX.xyz + y * emitter.edgeY.xyz;
+    gl_Position = camera.clipFromWorld * vec4(positionWorld, 1.0);
+}

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Polylume authors
+// SPDX-License-Identifier: MIT
+
+#include "surface/octahedral.glsl"
+#include "surface/surface.glsl"
+
+// The attachments in the order of kGBufferAttachments (render/gbuffer.hpp).
+layout(location = 0) out vec2 outNormal;
+layout(location = 1) out vec4 outDiffuseRoughness;
+layout(location = 2) out vec4 outSpecular;
+layout(location = 3) out vec4 outEmission;
+
+void writeGBuffer(Surface surface) {
+    outNormal = octahedralEncode(surface.normalWorld);
+    outDiffuseRoughness = vec4(surface.diffuseAlbedo, surface.roughness);
+    outSpecular = vec4(surface.f0, surface.f90);
+    outEmission = vec4(surface.emission, surface.occlusion);
+}

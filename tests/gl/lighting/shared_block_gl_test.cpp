@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The Polylume authors
+// SPDX-License-Identifier: MIT
+
+#include <gmock/gmock.h>
+
+#include <cstddef>
+
+#include "gl/program.hpp"
+#include "gl/support/gl_test.hpp"
+#include "shared/camera_data.h"
+#include "shared/emitter_data.h"
+#include "shared/instance_data.h"
+#include "shared/light_data.h"
+#include "shared/material_data.h"
+
+namespace polylume {
+namespace {
+
+/// One field of a shared struct as C++ lays it out.
+struct Field {
+    const char* name;
+    std::size_t offset;
+};
+
+#define POLYLUME_FIELD(Struct, prefix, field)          \
+    Field {                                            \
+        prefix #field, offsetof(shared::Struct, field) \
+    }
+
+const std::vector<Field> kCameraFields = {POLYLUME_FIELD(CameraData, "camera.", clipFromWorld),
+                                          POLYLUME_FIELD(CameraData, "camera.", rayOrigin),
+                                          POLYLUME_FIELD(CameraData, "camera.", rayOriginX),
+                                          POLYLUME_FIELD(CameraData, "camera.", rayOriginY),
+                                          POLYLUME_FIELD(CameraData, "camera.", rayDirection),
+                                          POLYLUME_FIELD(CameraData, "camera.", rayDirectionX),
+                                          POLYLUME_FIELD(CameraData, "camera.", rayDirectionY),
+                                          POLYLUME_FIELD(CameraData, "camera.", depth)};
+const std::vector<Field> kInstanceFields = {
+    POLYLUME_FIELD(InstanceData, "instance.", worldFromObject),
+    POLYLUME_FIELD(InstanceData, "instance.", normalFromObject),
+    POLYLUME_FIELD(InstanceData, "instance.", mirror)};
+const std::vector<Field> kMaterialFields = {
+    POLYLUME_FIELD(MaterialData, "material.", baseColorFactor),
+    POLYLUME_FIELD(MaterialData, "material.", emissiveFactor),
+    POLYLUME_FIELD(MaterialData, "material.", specularColorFactor),
+    POLYLUME_FIELD(MaterialData, "material.", metallicFactor),
+    POLYLUME_FIELD(MaterialData, "material.", roughnessFactor),
+    POLYLUME_FIELD(MaterialData, "material.", normalScale),
+    POLYLUME_FIELD(MaterialData, "material.", occlusionStrength),
+    POLYLUME_FIELD(MaterialData, "material.", dielectricF0),
+    POLYLUME_FIELD(MaterialData, "material.", alphaCutoff),
+    POLYLUME_FIELD(MaterialData, "material.", unlit),
+    {"material.uvRows[0]", offsetof(shared::MaterialData, uvRows)}};
+const std::vector<Field> kLightingFields = {POLYLUME_FIELD(LightingData, "lighting.", lightCount),
+                                            POLYLUME_FIELD(LightingData, "lighting.", lobeWeight)};
+const std::vector<Field> kEmitterFields = {POLYLUME_FIELD(EmitterData, "emitter.", corner),
+                                           POLYLUME_FIELD(EmitterData, "emitter.", edgeX),
+                                           POLYLUME_FIELD(EmitterData, "emitter.", edgeY),
+                                           POLYLUME_FIELD(EmitterData, "emitter.", radiance),
+                                           POLYLUME_FIELD(EmitterData, "emitter.", vertices)};
+const std::vector<Field> kParallelogramFields = {
+    POLYLUME_FIELD(ParallelogramData, "parallelograms[0].", corner),
+    POLYLUME_FIELD(ParallelogramData, "parallelograms[0].", edgeX),
+    POLYLUME_FIELD(ParallelogramData, "parallelograms[0].", edgeY),
+    POLYLUME_FIELD(ParallelogramData, "parallelograms[0].", normal),
+    POLYLUME_FIELD(ParallelogramData, "parallelograms[0].", radiance)};
+const std::vector<Field> kPolygonFields = {POLYLUME_FIELD(PolygonData, "polygons[0].", vertices),
+                                           POLYLUME_FIELD(PolygonData, "polygons[0].", plane),
+                                           POLYLUME_FIELD(PolygonData, "polygons[0].", radiance)};
+const std::vector<Field> kPunctualFields = {
+    POLYLUME_FIELD(PunctualData, "punctuals[0].", position),
+    POLYLUME_FIELD(PunctualData, "punctuals[0].", direction),
+    POLYLUME_FIELD(PunctualData, "punctuals[0].", intensity),
+    POLYLUME_FIELD(PunctualData, "punctuals[0].", cone)};
+
+/// What the linked program says of its blocks, against what C++ says: a size alone would pass two
+/// fields swapped.
+class SharedBlockTest : public test::GlTest {
+  protected:
+    /// How many fields the program has at the offset given; -1 on the first that lies elsewhere.
+    int countMatches(const gl::Program& program, GLenum interface,
+                     const std::vector<Field>& fields) {
+        int matches = 0;
+        for (const Field& field : fields) {
+            const GLuint index =
+                gl().GetProgramResourceIndex(program.name(), interface, field.name);
+            if (index == GL_INVALID_INDEX) continue;  // The compiler removed what is not used.
+            const GLenum property = GL_OFFSET;
+            GLint offset = -1;
+            gl().GetProgramResourceiv(program.name(), interface, index, 1, &property, 1, nullptr,
+                                      &offset);
+            if (offset != static_cast<GLint>(field.offset)) return -1;
+            ++matches;
+        }
+        return matches;
+    }
+
+    GLint property(const gl::Program& program, GLenum interface, const char* name, GLenum wanted) {
+        const GLuint index = gl().GetProgramResourceIndex(program.name(), interface, name);
+        GLint value = -1;
+        if (index != GL_INVALID_INDEX) {
+            gl().GetProgramResourceiv(program.name(), interface, index, 1, &wanted, 1, nullptr,
+                                      &value);
+        }
+        return value;
+    }
+
+    const gl::ShaderLibrary library_;
+};
+
+TEST_P(SharedBlockTest, uniformBlocksLieAsInCpp) {
+    const gl::Program gbuffer(
+        gl(), library_, "passes/mesh.vert", "passes/gbuffer.frag",
+        std::vector<std::string>{"POLYLUME_ALPHA_MASK", "POLYLUME_NORMAL_TEXTURE",
+                                 "POLYLUME_OCCLUSION_TEXTURE"},
+        "gbuffer");
+    EXPECT_EQ(countMatches(gbuffer, GL_UNIFORM, kCameraFields),
+              static_cast<int>(kCameraFields.size()));
+    EXPECT_EQ(countMatches(gbuffer, GL_UNIFORM, kInstanceFields),
+              static_cast<int>(kInstanceFields.size()));
+    EXPECT_EQ(countMatches(gbuffer, GL_UNIFORM, kMaterialFields),
+              static_cast<int>(kMaterialFields.size()));
+    EXPECT_EQ(property(gbuffer, GL_UNIFORM_BLOCK, "MaterialBlock", GL_BUFFER_DATA_SIZE),
+              static_cast<GLint>(sizeof(shared::MaterialData)));
+    EXPECT_EQ(property(gbuffer, GL_UNIFORM_BLOCK, "MaterialBlock", GL_BUFFER_BINDING),
+              static_cast<GLint>(shared::kMaterialBinding));
+
+    const gl::Program emitter(gl(), library_, "passes/emitter.vert", "passes/emitter.frag", {},
+                              "emitter");
+    EXPECT_EQ(countMatches(emitter, GL_UNIFORM, kEmitterFields),
+              static_cast<int>(kEmitterFields.size()));
+}
+
+TEST_P(SharedBlockTest, lightBuffersLieAsInCpp) {
+    const gl::Program lighting(
+        gl(), library_, "passes/fullscreen.vert", "passes/lighting.frag",
+        std::vector<std::string>{"POLYLUME_POLYGON_LIGHTS", "POLYLUME_PUNCTUAL_LIGHTS"},
+        "lighting");
+    EXPECT_EQ(countMatches(lighting, GL_UNIFORM, kLightingFields),
+              static_cast<int>(kLightingFields.size()));
+    const auto check = [&](const std::vector<Field>& fields, std::size_t size) {
+        EXPECT_EQ(countMatches(lighting, GL_BUFFER_VARIABLE, fields),
+                  static_cast<int>(fields.size()))
+            << fields[0].name;
+        EXPECT_EQ(property(lighting, GL_BUFFER_VARIABLE, fields[0].name, GL_TOP_LEVEL_ARRAY_STRIDE),
+                  static_cast<GLint>(size))
+            << fields[0].name;
+    };
+    check(kParallelogramFields, sizeof(shared::ParallelogramData));
+    check(kPolygonFields, sizeof(shared::PolygonData));
+    check(kPunctualFields, sizeof(shared::PunctualData));
+}
+
+TEST_P(SharedBlockTest, swappedFieldsAreFound) {
+    const gl::Program lighting(gl(), library_, "passes/fullscreen.vert", "passes/lighting.frag", {},
+                               "lighting");
+    std::vector<Field> swapped = kParallelogramFields;
+    std::swap(swapped[1].offset, swapped[2].offset);
+    EXPECT_EQ(countMatches(lighting, GL_BUFFER_VARIABLE, swapped), -1);
+}
+
+POLYLUME_ON_EVERY_BACKEND(SharedBlockTest);
+
+}  // namespace
+}  // namespace polylume

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The Polylume authors
+// SPDX-License-Identifier: MIT
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "gl/support/gl_test.hpp"
+#include "image/image_io.hpp"
+#include "image_compare.hpp"
+#include "render/renderer.hpp"
+#include "scene/default_lighting.hpp"
+#include "scene/framing.hpp"
+#include "scene/gltf_reader.hpp"
+
+namespace polylume {
+namespace {
+
+const std::filesystem::path kSceneDir =
+    std::filesystem::path(POLYLUME_SOURCE_DIR) / "samples/scenes";
+const std::filesystem::path kReferenceDir =
+    std::filesystem::path(POLYLUME_SOURCE_DIR) / "tests/image/references";
+
+/// The CPU's vector features that llvmpipe compiles for: with another set it may round differently.
+std::string cpuFeatures() {
+    std::string features;
+    if (__builtin_cpu_supports("sse4.1")) features += "sse4.1 ";
+    if (__builtin_cpu_supports("avx")) features += "avx ";
+    if (__builtin_cpu_supports("avx2")) features += "avx2 ";
+    if (__builtin_cpu_supports("fma")) features += "fma ";
+    if (__builtin_cpu_supports("avx512f")) features += "avx512f ";
+    return features;
+}
+
+FloatImage render(Context& context, const scene::Scene& scene, glm::ivec2 size, int sampleCount) {
+    RenderOptions options;
+    options.size = size;
+    options.sampleCount = sampleCount;
+    Progress progress;
+    return renderScene(context, gl::ShaderLibrary(), ltc::Table::builtinGgx(), scene,
+                       scene.cameras.front(), options, progress)
+        .image;
+}
+
+/// Small pictures of the sample scenes against stored ones. To store new ones, with the reason in
+/// the commit:
+///     POLYLUME_UPDATE_REFERENCES=1 ctest --preset ci -R SceneImageTest.matchesReference
+class SceneImageTest : public test::GlTest {
+  protected:
+    void checkAgainstReference(const std::string& name) {
+        FloatImage image =
+            render(context(), scene::readGltf(kSceneDir / (name + ".glb")), {128, 72}, 4);
+        const std::string renderer = context().info().renderer;
+        image.metadata = {{"polylume:renderer", renderer}, {"polylume:cpuFeatures", cpuFeatures()}};
+        const std::filesystem::path path = kReferenceDir / (name + ".exr");
+        if (std::getenv("POLYLUME_UPDATE_REFERENCES") != nullptr) {
+            writeExr(path, image, ExrPrecision::single);
+            GTEST_SKIP() << "wrote " << path;
+        }
+        const FloatImage reference = readImage(path);  // A missing one throws: the test fails.
+        const bool sameMachine =
+            reference.metadata.at("polylume:renderer") == image.metadata.at("polylume:renderer") &&
+            reference.metadata.at("polylume:cpuFeatures") ==
+                image.metadata.at("polylume:cpuFeatures");
+        // Another vector width or driver rounds differently: by about 1e-5 on surfaces (smooth
+        // lobes are the most sensitive), and a silhouette or a texel's border may fall on the other
+        // side of a sample, which moves a pixel by up to a quarter.
+        const test::Tolerance tolerance =
+            sameMachine ? test::Tolerance{} : test::Tolerance{1e-3, 0.01};
+        const std::string difference = test::compareImages(image, reference, tolerance);
+        if (!difference.empty()) {
+            writeExr(name + "-found.exr", image, ExrPrecision::single);
+            if (image.pixels.size() == reference.pixels.size()) {
+                writeExr(name + "-difference.exr", test::differenceOf(image, reference),
+                         ExrPrecision::single);
+            }
+        }
+        EXPECT_EQ(difference, "") << name << ", the found picture is in "
+                                  << std::filesystem::current_path();
+    }
+};
+
+TEST_P(SceneImageTest, matchesReferenceGallery) {
+    checkAgainstReference("gallery");
+}
+TEST_P(SceneImageTest, matchesReferenceStudio) {
+    checkAgainstReference("studio");
+}
+TEST_P(SceneImageTest, matchesReferenceCornell) {
+    checkAgainstReference("cornell");
+}
+
+POLYLUME_ON_EVERY_BACKEND(SceneImageTest);
+
+/// Where both backends draw by llvmpipe, they draw the same bits.
+void expectSameBits(const scene::Scene& scene) {
+    Context& egl = test::GlContexts::of(Backend::egl);
+    egl.makeCurrent();
+    const FloatImage byEgl = render(egl, scene, {320, 180}, 2);
+    Context& osmesa = test::GlContexts::of(Backend::osmesa);
+    osmesa.makeCurrent();
+    const FloatImage byOsmesa = render(osmesa, scene, {320, 180}, 2);
+    const bool sameRenderer = egl.info().renderer == osmesa.info().renderer;
+    if (!sameRenderer)
+        GTEST_SKIP() << egl.info().renderer << " and " << osmesa.info().renderer
+                     << " need not agree";
+    EXPECT_EQ(test::compareImages(byOsmesa, byEgl, {}), "");
+}
+
+TEST(BackendImageTest, galleryHasTheSameBits) {
+    expectSameBits(scene::readGltf(kSceneDir / "gallery.glb"));
+}
+TEST(BackendImageTest, studioHasTheSameBits) {
+    expectSameBits(scene::readGltf(kSceneDir / "studio.glb"));
+}
+TEST(BackendImageTest, cornellHasTheSameBits) {
+    expectSameBits(scene::readGltf(kSceneDir / "cornell.glb"));
+}
+
+/// A real model by others, where it is to be had.
+class FlightHelmetTest : public test::GlTest {};
+
+TEST_P(FlightHelmetTest, rendersRight) {
+    const char* assets = std::getenv("POLYLUME_ASSETS");
+    if (assets == nullptr)
+        GTEST_SKIP() << "POLYLUME_ASSETS does not name a folder with FlightHelmet/";
+    scene::Scene scene =
+        scene::readGltf(std::filesystem::path(assets) / "FlightHelmet/FlightHelmet.gltf");
+    std::size_t triangleCount = 0;
+    for (const scene::Mesh& mesh : scene.meshes) triangleCount += mesh.indices.size() / 3;
+    EXPECT_EQ(triangleCount, 94'722u);
+    scene.cameras.push_back(scene::frameCamera(scene.bounds(), 16.0f / 9.0f));
+    scene.areaLights = scene::defaultRig(scene.bounds(), scene.cameras.front());
+
+    const FloatImage image = render(context(), scene, {320, 180}, 4);
+    std::size_t covered = 0;
+    std::size_t lit = 0;
+    std::size_t touchingBorder = 0;
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            const float* pixel = image.pixel(x, y);
+            for (int c = 0; c < 4; ++c) ASSERT_TRUE(std::isfinite(pixel[c])) << x << ", " << y;
+            const bool isLit = pixel[0] + pixel[1] + pixel[2] > 0.0f;
+            lit += isLit;
+            covered += pixel[3] > 0.0f;
+            const bool isBorder = x == 0 || y == 0 || x == image.width - 1 || y == image.height - 1;
+            touchingBorder += isBorder && isLit;
+        }
+    }
+    const double pixelCount = static_cast<double>(image.width) * image.height;
+    EXPECT_EQ(covered, static_cast<std::size_t>(pixelCount)) << "the background is opaque black";
+    // Framed as large as it goes: it is tall, so it fills the height and a part of the width, and
+    // touches no border.
+    EXPECT_GT(static_cast<double>(lit) / pixelCount, 0.12);
+    EXPECT_LT(static_cast<double>(lit) / pixelCount, 0.35);
+    EXPECT_EQ(touchingBorder, 0u);
+}
+
+POLYLUME_ON_EVERY_BACKEND(FlightHelmetTest);
+
+}  // namespace
+}  // namespace polylume

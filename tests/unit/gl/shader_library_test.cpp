@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Polylume authors
+// SPDX-License-Identifier: MIT
+
+#include "gl/shader_library.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "core/error.hpp"
+#include "render/material_variant.hpp"
+
+namespace polylume::gl {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(ShaderLibraryTest, includesEachFileOnce) {
+    const ShaderSource source = ShaderLibrary().expand("passes/lighting.frag");
+    std::size_t count = 0;
+    for (std::size_t at = 0; (at = source.text.find("float ltcCrossZ(", at)) != std::string::npos;
+         ++at)
+        ++count;
+    EXPECT_EQ(count, 1u);
+    EXPECT_EQ(source.text.find("#include \""), std::string::npos);
+}
+
+TEST(ShaderLibraryTest, definesFollowTheVersion) {
+    const std::vector<std::string> defines = {"A", "B 2"};
+    EXPECT_THAT(ShaderLibrary().expand("passes/accumulate.frag", defines).text,
+                ::testing::StartsWith("#version 450 core\n#define A\n#define B 2\n"));
+}
+
+TEST(ShaderLibraryTest, missingFileIsNamed) {
+    try {
+        ShaderLibrary().expand("passes/none.frag");
+        FAIL();
+    } catch (const ShaderError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("passes/none.frag"));
+    }
+}
+
+TEST(ShaderLibraryTest, missingIncludeNamesFileAndLine) {
+    std::filesystem::create_directories("library_test/passes");
+    std::ofstream("library_test/passes/a.frag") << "\n#include \"nowhere.glsl\"\n";
+    try {
+        ShaderLibrary("library_test").expand("passes/a.frag");
+        FAIL();
+    } catch (const ShaderError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("nowhere.glsl"));
+        EXPECT_THAT(error.what(), HasSubstr("passes/a.frag:2"));
+    }
+}
+
+TEST(ShaderLibraryTest, missingOverrideFolderIsAnError) {
+    EXPECT_THROW(ShaderLibrary("no such folder"), Error);
+}
+
+TEST(NameFilesTest, understandsTheLogsOfSeveralCompilers) {
+    const std::vector<std::string> files = {"a.frag", "b.glsl"};
+    EXPECT_EQ(nameFiles("0:100012(5): error: x", files), "b.glsl:12(5): error: x\n");
+    EXPECT_EQ(nameFiles("0(7) : error C0000: x", files), "a.frag(7) : error C0000: x\n");
+    EXPECT_EQ(nameFiles("ERROR: 0:100003: 'x'", files), "ERROR: b.glsl:3: 'x'\n");
+    EXPECT_EQ(nameFiles("0:900001(1): error", files), "0:900001(1): error\n");
+}
+
+/// Runs the reference compiler over one expanded stage; its log where it rejects it.
+std::string validate(const std::string& path, const std::vector<std::string>& defines) {
+    const std::string stage = path.substr(path.rfind('.') + 1);
+    const std::string file = "validated." + stage;
+    std::ofstream(file) << ShaderLibrary().expand(path, defines).text;
+    const std::string command =
+        "glslangValidator -S " + stage + " " + file + " > validated.log 2>&1";
+    if (std::system(command.c_str()) == 0) return "";
+    std::ifstream log("validated.log");
+    return {std::istreambuf_iterator<char>(log), {}};
+}
+
+TEST(GlslValidationTest, everyEntryPointIsValid) {
+    std::vector<std::string> paths = ShaderLibrary::paths(".frag");
+    const std::vector<std::string> vertexPaths = ShaderLibrary::paths(".vert");
+    paths.insert(paths.end(), vertexPaths.begin(), vertexPaths.end());
+    EXPECT_GE(paths.size(), 7u);
+    for (const std::string& path : paths) EXPECT_EQ(validate(path, {}), "") << path;
+}
+
+TEST(GlslValidationTest, everyLightVariantIsValid) {
+    const std::vector<std::string> all = {"POLYLUME_POLYGON_LIGHTS", "POLYLUME_PUNCTUAL_LIGHTS"};
+    EXPECT_EQ(validate("passes/lighting.frag", {all[0]}), "");
+    EXPECT_EQ(validate("passes/lighting.frag", {all[1]}), "");
+    EXPECT_EQ(validate("passes/lighting.frag", all), "");
+}
+
+TEST(GlslValidationTest, everyMaterialSlotIsValid) {
+    for (unsigned bit = 0; bit <= shared::kMaterialSlotCount; ++bit) {
+        EXPECT_EQ(validate("passes/gbuffer.frag", variantDefines(1u << bit)), "") << bit;
+    }
+    EXPECT_EQ(validate("passes/gbuffer.frag", variantDefines(0xFF)), "");
+    EXPECT_EQ(validate("passes/blend.frag", variantDefines(0x7F)), "");
+}
+
+TEST(GlslValidationTest, brokenShaderIsRejected) {
+    EXPECT_NE(validate("passes/lighting.frag", {"vec3 nonsense"}), "");
+}
+
+}  // namespace
+}  // namespace polylume::gl
