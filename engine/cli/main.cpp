@@ -21,7 +21,7 @@ int runMain(int argc, char** argv) {
     CLI::App app("Polylume: area lighting by linearly transformed cosines");
     app.name("polylume");
     app.set_version_flag("--version", fmt::format("polylume {}", kVersion));
-    app.require_subcommand(1);
+    app.require_subcommand(0, 1);
     bool verbose = false;
     bool quiet = false;
     app.fallthrough();
@@ -37,6 +37,8 @@ int runMain(int argc, char** argv) {
     const CLI::App* fitApp = addFitCommand(app, fit);
     try {
         app.parse(argc, argv);
+        // Not by require_subcommand(1), which would hide what was found in its place.
+        if (app.get_subcommands().empty()) throw CLI::RequiredError("A subcommand");
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? EXIT_SUCCESS : kBadUsage;
     }

@@ -70,6 +70,7 @@ std::vector<std::string> parseAovs(const std::string& text) {
         if (std::ranges::find(known, name) == known.end()) {
             reject("--aov", fmt::format("\"all\" or some of {}", fmt::join(known, ",")), name);
         }
+        if (std::ranges::count(names, name) > 1) reject("--aov", "each name once", text);
     }
     return names;
 }

@@ -8,9 +8,11 @@
 #include <charconv>
 #include <future>
 
+#include "cli/phase_log.hpp"
 #include "cli/terminal.hpp"
 #include "cli/version.hpp"
 #include "core/error.hpp"
+#include "core/file.hpp"
 #include "fit/table_file.hpp"
 #include "image/image_io.hpp"
 #include "scene/default_lighting.hpp"
@@ -24,8 +26,9 @@ namespace {
 scene::Scene readScene(const RenderCommand& command) {
     // A picture is written at the end in any case: its library loads while the scene is parsed.
     const std::future<void> library = std::async(std::launch::async, loadImageLibrary);
-    scene::Scene scene = scene::readGltf(command.scene);
-    if (!command.lights.empty()) scene::addLightsFrom(scene, scene::readGltf(command.lights));
+    ProgressBar progress("reading");
+    scene::Scene scene = scene::readGltf(command.scene, progress);
+    if (!command.lights.empty()) scene::addLightsFrom(scene, scene::readGltfLights(command.lights));
     return scene;
 }
 
@@ -109,6 +112,8 @@ void writePicture(const RenderCommand& command, RenderedImage& rendered, ImageMe
 }  // namespace
 
 void run(const RenderCommand& command) {
+    checkWritable(command.output);
+    PhaseLog phases;
     // Reading the scene needs no context, and the two take about as long.
     std::future<scene::Scene> reading =
         std::async(std::launch::async, [&] { return readScene(command); });
@@ -119,11 +124,10 @@ void run(const RenderCommand& command) {
     } catch (...) {
         contextFailure = std::current_exception();
     }
+    phases.finish("context");
     scene::Scene scene = reading.get();
+    phases.finish("rest of the scene");
     if (contextFailure) std::rethrow_exception(contextFailure);
-    log(LogLevel::info, fmt::format("{}: {}, OpenGL {}", context->info().backend,
-                                    context->info().renderer, context->info().version));
-
     completeScene(scene, command);
     const scene::Camera& camera = chooseCamera(scene, command.camera);
     const gl::ShaderLibrary library(command.glslDir);
@@ -132,7 +136,9 @@ void run(const RenderCommand& command) {
     ProgressBar progress("rendering");
     RenderedImage rendered =
         renderScene(*context, library, table, scene, camera, command.options, progress);
+    phases.finish("rendering");
     writePicture(command, rendered, describe(command, scene, camera, context->info(), table));
+    phases.finish("writing");
     log(LogLevel::info, fmt::format("wrote {}", command.output.string()));
 }
 

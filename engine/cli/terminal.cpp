@@ -11,7 +11,14 @@
 
 namespace polylume::cli {
 
+namespace {
+
+bool isQuiet = false;
+
+}  // namespace
+
 void logToStandardError(LogLevel level) {
+    isQuiet = level == LogLevel::warning;
     setLogSink([level](LogLevel messageLevel, std::string_view message) {
         if (messageLevel > level) return;
         fmt::print(stderr, "polylume: {}{}\n", messageLevel == LogLevel::warning ? "warning: " : "",
@@ -22,7 +29,7 @@ void logToStandardError(LogLevel level) {
 ProgressBar::ProgressBar(std::string title)
     : title_(std::move(title)),
       start_(std::chrono::steady_clock::now()),
-      isTerminal_(::isatty(STDERR_FILENO) == 1) {}
+      mayShow_(!isQuiet && ::isatty(STDERR_FILENO) == 1) {}
 
 ProgressBar::~ProgressBar() {
     // Leaves the line empty for what comes next.
@@ -33,7 +40,7 @@ void ProgressBar::update(double fraction) {
     constexpr std::chrono::seconds kPatience{2};
     constexpr int kWidth = 40;
     const auto elapsed = std::chrono::steady_clock::now() - start_;
-    if (!isTerminal_ || elapsed < kPatience) return;
+    if (!mayShow_ || elapsed < kPatience) return;
     shown_ = true;
     const int filled = static_cast<int>(fraction * kWidth);
     const double seconds = std::chrono::duration<double>(elapsed).count();

@@ -14,7 +14,8 @@ namespace polylume::cli {
 /// Sends log messages up to `level` to standard error, one line each.
 void logToStandardError(LogLevel level);
 
-/// A progress bar on standard error, where that is a terminal, once the work has taken two seconds.
+/// A progress bar on standard error, where that is a terminal and the log level is not `warning`,
+/// once the work has taken two seconds.
 class ProgressBar : public Progress {
   public:
     explicit ProgressBar(std::string title);
@@ -25,7 +26,7 @@ class ProgressBar : public Progress {
   private:
     std::string title_;
     std::chrono::steady_clock::time_point start_;
-    bool isTerminal_;
+    bool mayShow_;
     bool shown_ = false;
 };
 

@@ -26,8 +26,11 @@ namespace fs = std::filesystem;
 
 template <typename Container>
 Container readAll(const fs::path& path) {
-    // A folder opens as a file and only fails when read, with a message that helps nobody.
+    // A folder opens as a file and only fails when read; a pipe may never end.
     if (fs::is_directory(path)) throw Error(concat("can't read ", path.string(), ": is a folder"));
+    if (fs::exists(path) && !fs::is_regular_file(path)) {
+        throw Error(concat("can't read ", path.string(), ": is a device or a pipe, no file"));
+    }
     errno = 0;
     std::ifstream stream(path, std::ios::binary | std::ios::ate);
     if (!stream) throwSystemError("read", path);
@@ -64,6 +67,16 @@ std::vector<std::byte> readFile(const fs::path& path) {
 
 std::string readTextFile(const fs::path& path) {
     return readAll<std::string>(path);
+}
+
+void checkWritable(const fs::path& path) {
+    if (fs::is_directory(path)) throw Error(concat("can't write ", path.string(), ": is a folder"));
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    if (!fs::is_directory(folder)) {
+        throw Error(concat("expected a folder to write ", path.string(), " into, found none at ",
+                           folder.string(), ": create it"));
+    }
+    if (::access(folder.c_str(), W_OK | X_OK) != 0) throwSystemError("write", path);
 }
 
 void writeFileAtomically(const fs::path& path, const std::function<void(const fs::path&)>& write) {

@@ -102,11 +102,7 @@ ltc::Table readTable(const std::filesystem::path& path) {
 
 void checkTablePath(const std::filesystem::path& path) {
     if (path.extension() != ".exr") throwExtension(path, ".exr");
-    const std::filesystem::path folder = path.parent_path();
-    if (!folder.empty() && !std::filesystem::is_directory(folder)) {
-        throw Error(concat("expected a folder to write ", path.string(), " into, found none at ",
-                           folder.string(), ": create it"));
-    }
+    checkWritable(path);
 }
 
 std::filesystem::path rawTablePath(const std::filesystem::path& path) {

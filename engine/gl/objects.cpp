@@ -22,7 +22,7 @@ GLuint createName(Create create) {
 const char* describeStatus(GLenum status) {
     switch (status) {
         case GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT:
-            return "an attachment is incomplete";
+            return "an attachment is incomplete, as when there is too little memory for its size";
         case GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT:
             return "it has no attachment";
         case GL_FRAMEBUFFER_UNSUPPORTED:

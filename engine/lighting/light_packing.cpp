@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/limits.hpp"
 #include "core/text.hpp"
 
 namespace polylume {
@@ -20,10 +21,12 @@ bool isFinite(const glm::vec3& v) {
 
 void checkPower(const glm::vec3& power, std::string_view name, std::string_view kind,
                 std::size_t index) {
-    if (isFinite(power) && glm::all(glm::greaterThanEqual(power, glm::vec3(0.0f)))) return;
-    throw Error(concat("expected ", name, " of ", kind, " light ", index,
-                       " to be finite and not negative, found (", power.x, ", ", power.y, ", ",
-                       power.z, ")"));
+    const glm::vec3 most(kLargestEmission);
+    if (glm::all(glm::greaterThanEqual(power, glm::vec3(0.0f))) &&
+        glm::all(glm::lessThanEqual(power, most)))
+        return;
+    throw Error(concat("expected ", name, " of ", kind, " light ", index, " to be from 0 to ",
+                       kLargestEmission, ", found (", power.x, ", ", power.y, ", ", power.z, ")"));
 }
 
 void checkPolygon(const PolygonLight& light, std::size_t index) {

@@ -14,13 +14,15 @@ namespace polylume {
 struct PackedLights {
     std::vector<shared::ParallelogramData> parallelograms;
     std::vector<shared::PolygonData> polygons;
-    std::vector<glm::vec4> polygonVertices;  ///< Contours, each with its first vertex again as its last; w is 1 where one begins.
+    std::vector<glm::vec4> polygonVertices;  ///< Contours, each with its first vertex again as its
+                                             ///< last; w is 1 where one begins.
     std::vector<shared::PunctualData> punctuals;
 };
 
 /// Sorts the polygons into parallelograms, which have a faster path, and others. A light without
 /// area is left out: it gives no light. Throws Error that names the light by its index where a
-/// value is not finite, a radiance or intensity is negative, or a contour has fewer than three
+/// value is not finite, a radiance or intensity is negative or
+/// over kLargestEmission, or a contour has fewer than three
 /// vertices.
 PackedLights packLights(const LightSet& lights);
 

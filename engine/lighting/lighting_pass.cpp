@@ -45,14 +45,21 @@ void LightingPass::draw(const GBufferTextures& gbuffer) const {
     for (GLuint unit = 0; unit < gbuffer.size(); ++unit) gl_.BindSampler(unit, 0);
     program_.use();
     gl_.BindVertexArray(noVertices_.name());
-    gl_.Disable(GL_BLEND);
-    gl_.Disable(GL_CULL_FACE);
-    // The triangle lies at the far plane: a surface is whatever is nearer, the background is passed
-    // over. The depth texture is read while it is attached, which is defined as long as nothing
-    // writes it.
+    gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl_.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    for (const GLenum capability : {GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST, GL_STENCIL_TEST,
+                                    GL_RASTERIZER_DISCARD, GL_COLOR_LOGIC_OP}) {
+        gl_.Disable(capability);
+    }
+    // The triangle lies at the far plane of reversed depth: a surface is whatever is nearer, the
+    // background is passed over.
+    gl_.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     gl_.Enable(GL_DEPTH_TEST);
     gl_.DepthFunc(GL_LESS);
     gl_.DepthMask(GL_FALSE);
+    // The depth texture is read while it is attached: what was written before has to be seen
+    // (OpenGL 4.5, 9.3.1).
+    gl_.TextureBarrier();
     gl_.DrawArrays(GL_TRIANGLES, 0, 3);
 }
 

@@ -43,7 +43,7 @@ class LightingPass {
     void bind() const;
     /// The defines of the shader variant that the lights need.
     const std::vector<std::string>& defines() const { return defines_; }
-    /// The buffer with the outlines (shared/light_data.h), also bound by bind().
+    /// The lights as the shaders read them.
     const PackedLights& packedLights() const { return packed_; }
 
   private:

@@ -74,6 +74,7 @@ BlendPass::BlendPass(const gl::Functions& gl, const gl::ShaderLibrary& library,
 void BlendPass::draw() {
     if (runs_.empty()) return;
     lighting_.bind();
+    scene_.beginDrawing();
     gl_.Enable(GL_DEPTH_TEST);
     gl_.DepthFunc(GL_GREATER);
     gl_.DepthMask(GL_FALSE);

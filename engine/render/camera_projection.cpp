@@ -3,6 +3,7 @@
 
 #include "render/camera_projection.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace polylume {
@@ -31,7 +32,9 @@ Projection makeProjection(const scene::Perspective& camera, double aspectRatio) 
 Projection makeProjection(const scene::Orthographic& camera, double aspectRatio) {
     Projection projection;
     projection.perspective = false;
-    projection.halfExtent = {camera.yMag * aspectRatio, camera.yMag};
+    // All that the camera sees is in the picture, whatever the picture's shape.
+    const double halfHeight = std::max<double>(camera.yMag, camera.xMag / aspectRatio);
+    projection.halfExtent = {halfHeight * aspectRatio, halfHeight};
     projection.depthScale = 1.0 / (camera.zFar - camera.zNear);
     projection.depthOffset = camera.zFar * projection.depthScale;
     return projection;

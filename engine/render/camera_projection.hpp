@@ -11,8 +11,9 @@
 namespace polylume {
 
 /// The camera block for a picture of `size` pixels whose pixels are sampled at `samplePosition` (0
-/// to 1, x right, y down; 0.5 the centre). The picture's aspect ratio decides the field of view's
-/// width; its height is the camera's.
+/// to 1, x right, y down; 0.5 the centre). A perspective camera decides the height of the field of
+/// view, and the picture's aspect ratio its width; all that an orthographic camera sees is fitted
+/// into the picture.
 shared::CameraData makeCameraData(const scene::Camera& camera, glm::ivec2 size,
                                   glm::dvec2 samplePosition);
 

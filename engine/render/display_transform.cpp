@@ -25,10 +25,10 @@ glm::vec3 reinhard(const glm::vec3& color) {
     return color * ((1.0f + l / (kWhite * kWhite)) / (1.0f + l));
 }
 
-/// A rational fit of the ACES reference rendering for sRGB displays (Narkowicz 2015), per channel.
-/// Its 0.6 brings middle grey back to where it was.
+/// A rational fit of the ACES reference rendering for sRGB displays (Narkowicz 2015), per channel,
+/// on a scale that keeps middle grey, 0.18, where it is.
 glm::vec3 aces(const glm::vec3& color) {
-    const glm::vec3 x = 0.6f * color;
+    const glm::vec3 x = 0.722f * color;
     return x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f);
 }
 

@@ -13,6 +13,7 @@ shared::EmitterData emitterOf(const shared::ParallelogramData& light) {
     data.corner = light.corner;
     data.edgeX = light.edgeX;
     data.edgeY = light.edgeY;
+    data.normal = light.normal;
     data.radiance = glm::vec4(glm::vec3(light.radiance), light.corner.w);
     return data;
 }
@@ -36,6 +37,7 @@ shared::EmitterData emitterOf(const shared::PolygonData& light,
     data.corner = glm::vec4(origin + low.x * x + low.y * y, 0.0f);
     data.edgeX = glm::vec4((high.x - low.x) * x, 0.0f);
     data.edgeY = glm::vec4((high.y - low.y) * y, 0.0f);
+    data.normal = glm::vec4(normal, 0.0f);
     data.radiance = light.radiance;
     data.vertices = light.vertices;
     return data;
@@ -66,6 +68,8 @@ EmitterPass::EmitterPass(const gl::Functions& gl, const gl::ShaderLibrary& libra
 void EmitterPass::draw() const {
     if (emitterCount_ == 0) return;
     lighting_.bind();
+    gl_.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    gl_.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     gl_.Disable(GL_BLEND);
     gl_.Disable(GL_CULL_FACE);
     gl_.FrontFace(GL_CCW);

@@ -16,7 +16,11 @@ LightingPass makeLighting(const gl::Functions& gl, const gl::ShaderLibrary& libr
                           const ltc::Table& table, const scene::Scene& scene,
                           const RenderOptions& options) {
     LightingPass lighting(gl, library, table);
-    lighting.setLights(lightsOf(scene, options.twoSided));
+    LightSet lights = lightsOf(scene, options.twoSided);
+    const LightSet& extra = options.extraLights;
+    lights.polygons.insert(lights.polygons.end(), extra.polygons.begin(), extra.polygons.end());
+    lights.punctuals.insert(lights.punctuals.end(), extra.punctuals.begin(), extra.punctuals.end());
+    lighting.setLights(lights);
     lighting.setLobes(options.lobes);
     return lighting;
 }
@@ -50,16 +54,11 @@ FrameRenderer::FrameRenderer(const gl::Functions& gl, const gl::ShaderLibrary& l
       geometry_(gl, library, gpuScene_),
       emitters_(gl, library, lighting_),
       blend_(gl, library, gpuScene_, lighting_, camera) {
-    gl_.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-    // Attributes that a mesh does not have: the origin of its textures, and white.
-    gl_.VertexAttrib4f(3, 0.0f, 0.0f, 0.0f, 1.0f);
-    gl_.VertexAttrib4f(4, 0.0f, 0.0f, 0.0f, 1.0f);
-    gl_.VertexAttrib4f(5, 1.0f, 1.0f, 1.0f, 1.0f);
     const float zero[4] = {};
     gl_.ClearNamedFramebufferfv(sumTarget_.name(), GL_COLOR, 0, zero);
 }
 
-void FrameRenderer::drawFrame(glm::dvec2 samplePosition) {
+void FrameRenderer::drawGBuffer(glm::dvec2 samplePosition) {
     cameraData_ = makeCameraData(camera_, options_.size, samplePosition);
     cameraBlock_.update(gl::bytesOf(cameraData_));
     gl_.BindBufferBase(GL_UNIFORM_BUFFER, shared::kCameraBinding, cameraBlock_.name());
@@ -67,7 +66,10 @@ void FrameRenderer::drawFrame(glm::dvec2 samplePosition) {
     gbuffer_.begin();
     geometry_.draw();
     if (!options_.hideLights) emitters_.draw();
+}
 
+void FrameRenderer::drawFrame(glm::dvec2 samplePosition) {
+    drawGBuffer(samplePosition);
     frameTarget_.bind();
     const glm::vec4 background =
         options_.background ? glm::vec4(*options_.background, 1.0f) : glm::vec4(0.0f);

@@ -25,6 +25,8 @@ class FrameRenderer {
     /// Draws one frame whose pixels are sampled at `samplePosition`: G-buffer, lighting,
     /// transparent surfaces.
     void drawFrame(glm::dvec2 samplePosition);
+    /// The first part of that alone.
+    void drawGBuffer(glm::dvec2 samplePosition);
     /// Adds the last frame to the sum.
     void accumulate();
     /// The sum's mean over `frameCount` frames: R, G, B, A, rows from the top.

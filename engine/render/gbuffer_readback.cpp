@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "render/octahedral.hpp"
 
 namespace polylume {
 namespace {
@@ -27,14 +28,6 @@ std::vector<Texel> readRows(const gl::Texture& texture, GLenum format, GLenum ty
                          texels.begin() + static_cast<std::ptrdiff_t>((height - 1 - y) * width));
     }
     return texels;
-}
-
-glm::vec3 decodeOctahedral(glm::vec2 encoded) {
-    glm::vec3 direction(encoded, 1.0f - std::abs(encoded.x) - std::abs(encoded.y));
-    const float fold = std::max(-direction.z, 0.0f);
-    direction.x += direction.x >= 0.0f ? -fold : fold;
-    direction.y += direction.y >= 0.0f ? -fold : fold;
-    return glm::normalize(direction);
 }
 
 struct Aov {
@@ -94,7 +87,7 @@ std::vector<GBufferPixel> readGBuffer(const GBuffer& gbuffer, const shared::Came
         p.distance = (camera.depth.x + camera.depth.y * depths[i]) /
                      (camera.depth.z + camera.depth.w * depths[i]);
         p.positionWorld = glm::vec3(origin + p.distance * ray);
-        p.normalWorld = decodeOctahedral(normals[i]);
+        p.normalWorld = octahedralDecode(normals[i]);
         p.viewWorld = -glm::normalize(glm::vec3(ray));
         p.diffuseAlbedo = glm::vec3(diffuse[i]);
         p.roughness = diffuse[i].w;
@@ -132,10 +125,12 @@ void checkAovNames(const std::vector<std::string>& names) {
 
 void appendAovs(const std::vector<GBufferPixel>& pixels, const std::vector<std::string>& names,
                 FloatImage& image) {
+    std::vector<const Aov*> aovs;
+    for (const std::string& name : names) aovs.push_back(&findAov(name));
     FloatImage extended = image;
-    for (const std::string& name : names) {
-        for (const char channel : findAov(name).channels) {
-            extended.channelNames.push_back(concat(name, ".", channel));
+    for (const Aov* aov : aovs) {
+        for (const char channel : aov->channels) {
+            extended.channelNames.push_back(concat(aov->name, ".", channel));
         }
     }
     extended.pixels.assign(pixels.size() * extended.channelCount(), 0.0f);
@@ -143,10 +138,9 @@ void appendAovs(const std::vector<GBufferPixel>& pixels, const std::vector<std::
         float* target = extended.pixels.data() + i * extended.channelCount();
         target = std::copy_n(image.pixels.data() + i * image.channelCount(), image.channelCount(),
                              target);
-        for (const std::string& name : names) {
-            const Aov& aov = findAov(name);
-            aov.write(pixels[i], target);
-            target += aov.channels.size();
+        for (const Aov* aov : aovs) {
+            aov->write(pixels[i], target);
+            target += aov->channels.size();
         }
     }
     image = std::move(extended);

@@ -34,7 +34,7 @@ std::vector<GBufferPixel> readGBuffer(const GBuffer& gbuffer, const shared::Came
 /// For every pixel, row by row from the top, whether it shows a surface that reflects anything.
 std::vector<bool> findLitPixels(const GBuffer& gbuffer);
 
-/// The names of the layers that makeAovs() knows.
+/// The names of the layers that appendAovs() knows.
 std::vector<std::string_view> aovNames();
 
 /// Appends the layers `names` of the G-buffer's values to `image`, which has its size: channels

@@ -22,6 +22,7 @@ GeometryPass::GeometryPass(const gl::Functions& gl, const gl::ShaderLibrary& lib
 }
 
 void GeometryPass::draw() {
+    scene_.beginDrawing();
     gl_.Disable(GL_BLEND);
     gl_.Enable(GL_DEPTH_TEST);
     gl_.DepthFunc(GL_GREATER);

@@ -3,6 +3,8 @@
 
 #include "render/gpu_scene.hpp"
 
+#include <algorithm>
+
 #include "render/material_variant.hpp"
 #include "render/texture_upload.hpp"
 
@@ -39,12 +41,18 @@ shared::InstanceData packInstance(const scene::Instance& instance) {
     const double sign = determinant < 0.0 ? -1.0 : 1.0;
     // The matrix of cofactors is the inverse transpose times the determinant, and exists for a
     // flattening scale, too.
-    const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
-                               glm::cross(linear[0], linear[1]));
+    glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
+                         glm::cross(linear[0], linear[1]));
+    // Only directions count, and products of very small or large scales leave single precision.
+    const double largest =
+        std::max({glm::length(cofactors[0]), glm::length(cofactors[1]), glm::length(cofactors[2])});
+    if (largest > 0.0) cofactors /= largest;
     shared::InstanceData data{};
     data.worldFromObject = instance.worldFromObject;
     data.normalFromObject = glm::mat4(glm::mat3(sign * cofactors));
-    data.mirror = glm::vec4(sign, 0.0f, 0.0f, 0.0f);
+    const double scale =
+        std::max({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])});
+    data.mirror = glm::vec4(sign, scale > 0.0 ? 1.0 / scale : 1.0, 0.0, 0.0);
     return data;
 }
 
@@ -87,6 +95,15 @@ GpuScene::GpuScene(const gl::Functions& gl, const scene::Scene& scene) : gl_(gl)
 const scene::Material& GpuScene::materialOf(const scene::Instance& instance) const {
     const scene::Mesh& mesh = scene_.meshes[static_cast<std::size_t>(instance.mesh)];
     return scene_.materials[static_cast<std::size_t>(mesh.material)];
+}
+
+void GpuScene::beginDrawing() const {
+    gl_.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    gl_.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    // Attributes that a mesh does not have: the origin of its textures, and white.
+    gl_.VertexAttrib4f(3, 0.0f, 0.0f, 0.0f, 1.0f);
+    gl_.VertexAttrib4f(4, 0.0f, 0.0f, 0.0f, 1.0f);
+    gl_.VertexAttrib4f(5, 1.0f, 1.0f, 1.0f, 1.0f);
 }
 
 void GpuScene::bindMaterial(int index) const {

@@ -45,6 +45,8 @@ class GpuScene {
     const GpuMesh& mesh(int index) const { return meshes_[static_cast<std::size_t>(index)]; }
     const scene::Material& materialOf(const scene::Instance& instance) const;
 
+    /// Sets the state that drawing any of its meshes needs, before the first of them.
+    void beginDrawing() const;
     /// Binds block and textures of material `index`.
     void bindMaterial(int index) const;
     /// Binds the block of instance `index` and sets culling and winding for it.

@@ -3,6 +3,9 @@
 
 #include "render/pixel_samples.hpp"
 
+#include <algorithm>
+#include <numeric>
+
 namespace polylume {
 namespace {
 
@@ -18,16 +21,16 @@ double radicalInverse(unsigned index) {
 }  // namespace
 
 std::vector<glm::dvec2> pixelSamples(int count) {
-    std::vector<glm::dvec2> samples;
-    // Half a cell further, so that their mean tends to the centre and a single one is the centre.
-    const double half = 0.5 / count;
-    // The sequence's own mean falls short of a half by less than half a cell, by an amount known
-    // only from its sum.
-    double meanY = 0.0;
-    for (int i = 0; i < count; ++i) meanY += radicalInverse(static_cast<unsigned>(i)) / count;
-    for (int i = 0; i < count; ++i) {
-        samples.emplace_back(static_cast<double>(i) / count + half,
-                             radicalInverse(static_cast<unsigned>(i)) + 0.5 - meanY);
+    // Rows in the order of the sequence. By their rank, not by its value, each row of the grid
+    // holds one sample and their mean is the centre for every count, not for powers of two alone.
+    std::vector<int> order(static_cast<std::size_t>(count));
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::sort(order, {}, [](int i) { return radicalInverse(static_cast<unsigned>(i)); });
+    std::vector<glm::dvec2> samples(order.size());
+    for (int row = 0; row < count; ++row) {
+        const int column = order[static_cast<std::size_t>(row)];
+        samples[static_cast<std::size_t>(column)] =
+            (glm::dvec2(column, row) + 0.5) / static_cast<double>(count);
     }
     return samples;
 }

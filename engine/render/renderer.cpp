@@ -27,6 +27,14 @@ void checkOptions(const gl::Functions& gl, const RenderOptions& options) {
     }
 }
 
+double measureLuminance(const FloatImage& image, const GBuffer& gbuffer) {
+    const std::vector<bool> lit = findLitPixels(gbuffer);
+    const double ofLitPixels = logMeanLuminance(image, lit);
+    if (ofLitPixels > 0.0) return ofLitPixels;
+    // Nothing but unlit, emitting or transparent surfaces: all that can be seen, then.
+    return logMeanLuminance(image, std::vector<bool>(lit.size(), true));
+}
+
 }  // namespace
 
 RenderedImage renderScene(Context& context, const gl::ShaderLibrary& library,
@@ -49,10 +57,10 @@ RenderedImage renderScene(Context& context, const gl::ShaderLibrary& library,
 
     RenderedImage rendered;
     rendered.image = renderer.readMean(options.sampleCount);
-    rendered.logMeanLuminance = logMeanLuminance(rendered.image, findLitPixels(renderer.gbuffer()));
+    rendered.logMeanLuminance = measureLuminance(rendered.image, renderer.gbuffer());
     if (!options.aovs.empty()) {
         // Averaged over a silhouette a normal or a depth is that of no surface.
-        renderer.drawFrame({0.5, 0.5});
+        renderer.drawGBuffer({0.5, 0.5});
         appendAovs(readGBuffer(renderer.gbuffer(), renderer.cameraData()), options.aovs,
                    rendered.image);
     }

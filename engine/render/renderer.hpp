@@ -22,7 +22,8 @@ struct RenderOptions {
     glm::ivec2 size{1280, 720};
     int sampleCount = 4;  ///< Jittered frames that are averaged.
     Lobes lobes = Lobes::all;
-    bool twoSided = false;    ///< Every area light emits from both sides.
+    LightSet extraLights;   ///< Beside the scene's own: polygons with holes, single two-sided ones.
+    bool twoSided = false;  ///< Every area light emits from both sides.
     bool hideLights = false;  ///< The camera does not see area lights.
     std::optional<glm::vec3> background = glm::vec3(0.0f);  ///< Nits; none: transparent.
     std::vector<std::string> aovs;                          ///< Layers of aovNames() to append.
@@ -32,7 +33,8 @@ struct RenderedImage {
     /// R, G, B in nits and A (coverage), colour times coverage; then the AOVs, sampled at pixel
     /// centres.
     FloatImage image;
-    /// Log-mean luminance of the pixels that show a lit surface, in nits; 0 where there is none.
+    /// Log-mean luminance in nits of the pixels that show a lit opaque surface, or where there is
+    /// none, of all; 0 where everything is black.
     double logMeanLuminance = 0.0;
 };
 

@@ -24,7 +24,7 @@ struct RigLight {
 constexpr RigLight kRig[] = {
     {"key", {-2.1f, 1.9f, 1.7f}, {2.0f, 2.0f}, {1.0f, 0.95f, 0.88f}, 9000.0f},
     {"fill", {2.6f, 0.5f, 1.5f}, {1.6f, 2.4f}, {0.84f, 0.92f, 1.0f}, 2400.0f},
-    {"rim", {0.9f, 2.8f, -1.9f}, {2.6f, 1.2f}, {1.0f, 0.98f, 0.96f}, 12000.0f}};
+    {"rim", {0.9f, 2.5f, -2.4f}, {2.6f, 1.2f}, {1.0f, 0.98f, 0.96f}, 6500.0f}};
 
 constexpr float kWidestAspect = 2.0f;
 

@@ -8,6 +8,7 @@
 #include <new>
 
 #include "core/error.hpp"
+#include "core/limits.hpp"
 #include "core/text.hpp"
 #include "scene/camera_reader.hpp"
 #include "scene/gltf_document.hpp"
@@ -25,12 +26,20 @@ void checkExtent(const Scene& scene) {
     if (bounds.isEmpty()) return;
     const glm::vec3 size = glm::max(glm::abs(bounds.minimum), glm::abs(bounds.maximum));
     const float largest = std::max(std::max(size.x, size.y), size.z);
-    if (largest <= 1e15f) return;
-    throw Error(
-        concat("expected a scene of at most 1e15 metres, found ", largest, " (", scene.name, ")"));
+    if (largest <= kLargestExtent) return;
+    throw Error(concat("expected a scene of at most ", kLargestExtent, " metres, found ", largest,
+                       " (", scene.name, ")"));
 }
 
-Scene readScene(const std::filesystem::path& path) {
+void addLightsAndCamera(const GltfDocument& document, const NodeGraph& graph, int node,
+                        Scene& scene) {
+    if (document.model().nodes[node].camera >= 0) {
+        scene.cameras.push_back(readCamera(document, graph, node));
+    }
+    addLights(document, graph, node, scene);
+}
+
+Scene readScene(const std::filesystem::path& path, Progress& progress) {
     const GltfDocument document = GltfDocument::load(path);
     const NodeGraph graph(document);
     Scene scene;
@@ -40,23 +49,45 @@ Scene readScene(const std::filesystem::path& path) {
     for (const int node : graph.sceneNodes()) {
         const tinygltf::Node& source = document.model().nodes[node];
         if (source.mesh >= 0) meshes.addNode(node);
-        if (source.camera >= 0) scene.cameras.push_back(readCamera(document, graph, node));
-        addLights(document, graph, node, scene);
+        addLightsAndCamera(document, graph, node, scene);
     }
     if (scene.materials.empty()) scene.materials.emplace_back();
     checkExtent(scene);
-    materials.decodeImages();
+    materials.decodeImages(progress);
     return scene;
+}
+
+Scene readLightsAndCameras(const std::filesystem::path& path) {
+    const GltfDocument document = GltfDocument::load(path);
+    const NodeGraph graph(document);
+    Scene scene;
+    scene.name = document.fileName();
+    for (const int node : graph.sceneNodes()) addLightsAndCamera(document, graph, node, scene);
+    return scene;
+}
+
+template <typename Read>
+Scene withMemory(const std::filesystem::path& path, Read read) {
+    try {
+        return read();
+    } catch (const std::bad_alloc&) {
+        throw Error(concat("there is not enough memory for ", path.filename().string()));
+    }
 }
 
 }  // namespace
 
 Scene readGltf(const std::filesystem::path& path) {
-    try {
-        return readScene(path);
-    } catch (const std::bad_alloc&) {
-        throw Error(concat("there is not enough memory for ", path.filename().string()));
-    }
+    Progress unheard;
+    return readGltf(path, unheard);
+}
+
+Scene readGltf(const std::filesystem::path& path, Progress& progress) {
+    return withMemory(path, [&] { return readScene(path, progress); });
+}
+
+Scene readGltfLights(const std::filesystem::path& path) {
+    return withMemory(path, [&] { return readLightsAndCameras(path); });
 }
 
 }  // namespace polylume::scene

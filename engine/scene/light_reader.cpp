@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "core/limits.hpp"
 #include "core/text.hpp"
 #include "scene/gltf_value.hpp"
 
@@ -23,7 +24,7 @@ std::string quoted(const std::string& text) {
     return concat("\"", text.substr(0, 60), text.size() > 60 ? "..." : "", "\"");
 }
 
-/// color * intensity, checked to be neither negative nor beyond single precision.
+/// color * intensity, checked to be neither negative nor beyond what sums can hold.
 glm::vec3 emission(const GltfDocument& document, const tinygltf::Value& light,
                    double defaultIntensity, const std::string& where) {
     const auto color = vectorOr(light, "color", glm::vec3(1.0f));
@@ -31,11 +32,10 @@ glm::vec3 emission(const GltfDocument& document, const tinygltf::Value& light,
     glm::vec3 product;
     for (int i = 0; i < 3; ++i) {
         const double channel = color[i] * intensity;
-        if (!(channel >= 0.0 && channel <= FLT_MAX)) {
-            throw Error(
-                concat("expected \"color\" times \"intensity\" to be 0 or more and to fit "
-                       "single precision, found ",
-                       channel, " (", document.place(where), ")"));
+        if (!(channel >= 0.0 && channel <= kLargestEmission)) {
+            throw Error(concat("expected \"color\" times \"intensity\" to be from 0 to ",
+                               kLargestEmission, ", found ", channel, " (", document.place(where),
+                               ")"));
         }
         product[i] = static_cast<float>(channel);
     }
@@ -97,9 +97,12 @@ void placeAreaLight(const GltfDocument& document, const NodePlacement& placement
     light.center = glm::vec3(placement.worldFromNode[3]);
     light.worldFromLight = glm::mat3(glm::mat3_cast(placement.rotation));
     const glm::dvec2 size = glm::dvec2(light.size) * scale;
-    if (!(std::max(size.x, size.y) <= 1e15)) {
-        throw Error(concat("expected an area light of at most 1e15 across, found more (",
-                           document.place("nodes[", node, "]"), ")"));
+    const glm::vec3 reach = glm::abs(light.center);
+    if (!(std::max(size.x, size.y) <= kLargestExtent) ||
+        !(std::max(reach.x, std::max(reach.y, reach.z)) <= kLargestExtent)) {
+        throw Error(concat("expected an area light within ", kLargestExtent,
+                           " metres, found one beyond (", document.place("nodes[", node, "]"),
+                           ")"));
     }
     light.size = glm::vec2(size);
 }

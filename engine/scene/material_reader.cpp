@@ -8,9 +8,11 @@
 #include <cfloat>
 #include <cmath>
 #include <exception>
+#include <mutex>
 #include <thread>
 
 #include "core/error.hpp"
+#include "core/limits.hpp"
 #include "core/text.hpp"
 #include "image/image_io.hpp"
 #include "scene/gltf_value.hpp"
@@ -21,8 +23,10 @@ namespace {
 // KHR_texture_transform: T * R * S; the rotation is counter-clockwise as the image is looked at,
 // where v grows downward.
 glm::mat3 uvTransform(const tinygltf::Value& extension) {
-    const auto offset = vectorOr(extension, "offset", glm::vec2(0.0f));
-    const auto scale = vectorOr(extension, "scale", glm::vec2(1.0f));
+    // Beyond this a texture coordinate has no digits left, and sums would leave single precision.
+    const glm::vec2 limit(1e9f);
+    const auto offset = glm::clamp(vectorOr(extension, "offset", glm::vec2(0.0f)), -limit, limit);
+    const auto scale = glm::clamp(vectorOr(extension, "scale", glm::vec2(1.0f)), -limit, limit);
     const double rotation = numberOr(extension, "rotation", 0.0);
     const auto c = static_cast<float>(std::cos(rotation));
     const auto s = static_cast<float>(std::sin(rotation));
@@ -71,7 +75,7 @@ Material MaterialReader::readMaterial(int gltfMaterial) {
     for (int i = 0; i < 3 && source.emissiveFactor.size() == 3; ++i) {
         // Writers from before KHR_materials_emissive_strength go beyond 1, and mean it.
         material.emissiveFactor[i] =
-            clamped(source.emissiveFactor[i], 0.0, FLT_MAX, where + ".emissiveFactor");
+            clamped(source.emissiveFactor[i], 0.0, kLargestEmission, where + ".emissiveFactor");
     }
     material.emissive = slot(source.emissiveTexture, ColorSpace::srgb, where + ".emissiveTexture");
     if (source.alphaMode == "MASK") {
@@ -107,14 +111,17 @@ void MaterialReader::readExtensions(const tinygltf::Material& source, const std:
                                     Material& material) {
     if (const auto* strength =
             findExtension(source.extensions, "KHR_materials_emissive_strength")) {
-        material.emissiveFactor *= static_cast<float>(numberOr(*strength, "emissiveStrength", 1.0));
-        // A product beyond single precision would be infinite.
-        material.emissiveFactor = glm::min(material.emissiveFactor, glm::vec3(FLT_MAX));
+        const double factor = numberOr(*strength, "emissiveStrength", 1.0);
+        for (int i = 0; i < 3; ++i) {
+            material.emissiveFactor[i] =
+                clamped(factor * material.emissiveFactor[i], 0.0, kLargestEmission,
+                        where + ".KHR_materials_emissive_strength");
+        }
     }
     if (const auto* ior = findExtension(source.extensions, "KHR_materials_ior")) {
         const double value = numberOr(*ior, "ior", 1.5);
         material.ior =
-            value == 0.0 ? 0.0f : clamped(value, 1.0, FLT_MAX, where + ".KHR_materials_ior.ior");
+            value == 0.0 ? 0.0f : clamped(value, 1.0, 1e6, where + ".KHR_materials_ior.ior");
     }
     if (const auto* specular = findExtension(source.extensions, "KHR_materials_specular")) {
         const std::string here = where + ".KHR_materials_specular";
@@ -124,7 +131,7 @@ void MaterialReader::readExtensions(const tinygltf::Material& source, const std:
         const auto color = vectorOr(*specular, "specularColorFactor", glm::vec3(1.0f));
         for (int i = 0; i < 3; ++i) {
             material.specularColorFactor[i] =
-                clamped(color[i], 0.0, FLT_MAX, here + ".specularColorFactor");
+                clamped(color[i], 0.0, 1e6, here + ".specularColorFactor");
         }
         material.specularColor =
             extensionSlot(*specular, "specularColorTexture", ColorSpace::srgb, here);
@@ -219,11 +226,13 @@ Sampler MaterialReader::readSampler(int gltfSampler) const {
     return sampler;
 }
 
-void MaterialReader::decodeImages() {
+void MaterialReader::decodeImages(Progress& progress) {
     const std::size_t count = gltfImages_.size();
     scene_.images.resize(count);
     std::vector<std::exception_ptr> failures(count);
     std::atomic<std::size_t> next{0};
+    std::mutex doneMutex;
+    std::size_t done = 0;
     const auto work = [&] {
         for (std::size_t i = next++; i < count; i = next++) {
             try {
@@ -233,6 +242,8 @@ void MaterialReader::decodeImages() {
             } catch (...) {
                 failures[i] = std::current_exception();
             }
+            const std::lock_guard lock(doneMutex);
+            progress.update(static_cast<double>(++done) / static_cast<double>(count));
         }
     };
     const std::size_t helperCount =

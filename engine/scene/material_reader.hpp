@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/progress.hpp"
 #include "scene/gltf_document.hpp"
 #include "scene/scene.hpp"
 
@@ -24,7 +25,7 @@ class MaterialReader {
 
     /// Decodes all images asked for into Scene::images, several at once. Throws the Error of the
     /// first image, in their order, that is missing or damaged.
-    void decodeImages();
+    void decodeImages(Progress& progress);
 
   private:
     Material readMaterial(int gltfMaterial);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/limits.hpp"
 #include "core/text.hpp"
 #include "scene/accessor_reader.hpp"
 #include "scene/deformation.hpp"
@@ -16,10 +17,14 @@
 namespace polylume::scene {
 namespace {
 
-/// Whether the axes span a volume, so that surfaces have an inside and normals a direction.
-bool isInvertible(const glm::dmat3& axes) {
-    const double volume = glm::length(axes[0]) * glm::length(axes[1]) * glm::length(axes[2]);
-    return volume > 0.0 && std::abs(glm::determinant(axes)) > 1e-9 * volume;
+/// Whether the axes span a plane at least, so that some surface is left that has a normal.
+bool hasExtent(const glm::dmat3& axes) {
+    const double longest =
+        std::max({glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2])});
+    const double area = std::max({glm::length(glm::cross(axes[0], axes[1])),
+                                  glm::length(glm::cross(axes[1], axes[2])),
+                                  glm::length(glm::cross(axes[2], axes[0]))});
+    return area > 1e-9 * longest * longest;
 }
 
 }  // namespace
@@ -28,8 +33,9 @@ void MeshBuilder::addNode(int node) {
     const tinygltf::Node& source = document_.model().nodes[node];
     const bool isSkinned = source.skin >= 0;
     const glm::dmat4& worldFromNode = graph_.placement(node).worldFromNode;
-    if (!isSkinned && !isInvertible(glm::dmat3(worldFromNode))) {
-        document_.warn(concat("nodes[", node, "] is scaled flat and its mesh is not drawn"));
+    if (!isSkinned && !hasExtent(glm::dmat3(worldFromNode))) {
+        document_.warn(
+            concat("nodes[", node, "] is scaled to a line or a point and its mesh is not drawn"));
         return;
     }
     for (const int mesh : meshIndices(node, isSkinned)) {
@@ -131,7 +137,7 @@ void MeshBuilder::skin(Primitive& primitive, int skinIndex, const std::string& w
 void MeshBuilder::checkPositions(const Mesh& mesh, const std::string& where) const {
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         const glm::vec3 size = glm::abs(mesh.positions[i]);
-        if (std::max(std::max(size.x, size.y), size.z) <= 1e15f &&
+        if (std::max(std::max(size.x, size.y), size.z) <= kLargestExtent &&
             !std::isnan(size.x + size.y + size.z)) {
             continue;
         }

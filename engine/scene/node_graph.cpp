@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/error.hpp"
+#include "core/limits.hpp"
 #include "core/text.hpp"
 
 namespace polylume::scene {
@@ -53,8 +54,7 @@ NodePlacement localPlacement(const tinygltf::Node& node) {
 }
 
 bool isRepresentable(const glm::dmat4& matrix) {
-    // Beyond this, squares of lengths leave single precision.
-    constexpr double kLargest = 1e15;
+    constexpr double kLargest = kLargestExtent;
     for (int column = 0; column < 4; ++column) {
         for (int row = 0; row < 4; ++row) {
             if (!(std::abs(matrix[column][row]) <= kLargest)) return false;

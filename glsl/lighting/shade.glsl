@@ -14,7 +14,8 @@
 #include "lighting/punctual.glsl"
 #endif
 
-/// Form factors of parallelogram `index` for the cosine and the lobe, at least 0.
+/// Form factors of parallelogram `index` for the cosine and the lobe, as light counts them: of the side that emits, or of
+/// both. Rounding leaves them up to a millionth below 0.
 vec2 parallelogramFactors(uint index, vec3 positionWorld, mat3 frameFromWorld, LtcLobe lobe) {
     ParallelogramData light = parallelograms[index];
     vec3 corner = light.corner.xyz - positionWorld;
@@ -22,7 +23,7 @@ vec2 parallelogramFactors(uint index, vec3 positionWorld, mat3 frameFromWorld, L
                            light.corner.w);
     vec2 factors = ltcParallelogram(frameFromWorld * corner, frameFromWorld * light.edgeX.xyz,
                                     frameFromWorld * light.edgeY.xyz, lobe);
-    return max(side * factors, 0.0);
+    return side * factors;
 }
 
 #ifdef POLYLUME_POLYGON_LIGHTS
@@ -41,7 +42,7 @@ vec2 polygonFactors(uint index, vec3 positionWorld, mat3 frameFromWorld, LtcLobe
         ltcAddVertex(frameFromWorld * offset, vertex.w < 0.5, lobe, polygon);
     }
     float side = lightSide(distance, max(reach.x, max(reach.y, reach.z)), light.radiance.w);
-    return max(side * ltcFormFactors(polygon, lobe), 0.0);
+    return side * ltcFormFactors(polygon, lobe);
 }
 #endif
 
@@ -56,13 +57,13 @@ vec3 shadeSurface(Surface surface) {
     vec3 diffuse = vec3(0.0);
     vec3 lobeMean = vec3(0.0);
     for (uint i = 0u; i < lighting.lightCount.x; ++i) {
-        vec2 factors = parallelogramFactors(i, surface.positionWorld, frameFromWorld, lobe);
+        vec2 factors = clamp(parallelogramFactors(i, surface.positionWorld, frameFromWorld, lobe), 0.0, 1.0);
         diffuse += factors.x * parallelograms[i].radiance.rgb;
         lobeMean += factors.y * parallelograms[i].radiance.rgb;
     }
 #ifdef POLYLUME_POLYGON_LIGHTS
     for (uint i = 0u; i < lighting.lightCount.y; ++i) {
-        vec2 factors = polygonFactors(i, surface.positionWorld, frameFromWorld, lobe);
+        vec2 factors = clamp(polygonFactors(i, surface.positionWorld, frameFromWorld, lobe), 0.0, 1.0);
         diffuse += factors.x * polygons[i].radiance.rgb;
         lobeMean += factors.y * polygons[i].radiance.rgb;
     }

@@ -40,11 +40,37 @@ float ltcEdgeIntegral(vec3 a, vec3 b, float crossZ) {
     return crossZ * inverseA * inverseB * ltcThetaOverSinTheta(a * inverseA, b * inverseB);
 }
 
-/// The part of an edge that lies at z >= 0, from the z of its ends: the parameters of its first and last point, 0 at the
-/// first end and 1 at the last; equal where nothing is left.
-vec2 ltcClipEdge(float zFirst, float zLast) {
-    float crossing = zFirst / (zFirst - zLast);
-    float first = zFirst >= 0.0 ? 0.0 : (zLast >= 0.0 ? crossing : 0.0);
-    float last = zLast >= 0.0 ? 1.0 : (zFirst >= 0.0 ? crossing : 0.0);
-    return vec2(first, last);
+/// `v` moved onto the plane z = 0 where it is a millionth of its length off, as rounding leaves it. Points that lie on a
+/// horizon then are on one side of it all, and no outline seems to cross it more often than it does.
+vec3 ltcSnapToHorizon(vec3 v) {
+    v.z = abs(v.z) > 1e-6 * max(abs(v.x), abs(v.y)) ? v.z : 0.0;
+    return v;
+}
+
+/// What is left of an edge at z >= 0.
+struct LtcClippedEdge {
+    vec3 first;
+    vec3 last;
+    float share;  ///< Of the edge's length; 0 where nothing is left.
+    bool leaves;  ///< The last point is where the edge goes below.
+    bool enters;  ///< The first point is where it comes up.
+};
+
+/// Clips the edge from `a` to `b` = a + edge, whose ends have the heights `zA` and `zB`.
+LtcClippedEdge ltcClipEdge(vec3 a, vec3 b, vec3 edge, float zA, float zB) {
+    LtcClippedEdge clipped;
+    clipped.leaves = zA >= 0.0 && zB < 0.0;
+    clipped.enters = zA < 0.0 && zB >= 0.0;
+    bool crosses = clipped.leaves || clipped.enters;
+    float inverseRise = 1.0 / (zB - zA);
+    // From the end that is nearer to the horizon: the other may be so far away that it has lost the digits.
+    bool fromA = abs(zA) < abs(zB);
+    vec3 base = fromA ? a : b;
+    vec3 crossing = base - ((fromA ? zA : zB) * inverseRise) * edge;
+    // An edge below the horizon keeps one of its points and no length.
+    vec3 below = crosses ? crossing : a;
+    clipped.first = zA >= 0.0 ? a : below;
+    clipped.last = zB >= 0.0 ? b : below;
+    clipped.share = crosses ? (max(zB, 0.0) - max(zA, 0.0)) * inverseRise : (zA >= 0.0 ? 1.0 : 0.0);
+    return clipped;
 }

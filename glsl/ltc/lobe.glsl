@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Polylume authors
 // SPDX-License-Identifier: MIT
 
+#include "ltc/edge.glsl"
+
 /// One fitted lobe: M^-1 = [[m11, 0, m13], [0, 1, 0], [m31, 0, m33]] in the shading frame, and what it reflects.
 struct LtcLobe {
     float m11;
@@ -12,9 +14,14 @@ struct LtcLobe {
     float fresnel;     ///< The same weighted by (1 - v.h)^5.
 };
 
-/// M^-1 v.
+/// M^-1 v for a point, snapped to the lobe's horizon.
 vec3 ltcTransform(LtcLobe lobe, vec3 v) {
-    return vec3(lobe.m11 * v.x + lobe.m13 * v.z, v.y, lobe.m31 * v.x + lobe.m33 * v.z);
+    return ltcSnapToHorizon(vec3(lobe.m11 * v.x + lobe.m13 * v.z, v.y, lobe.m31 * v.x + lobe.m33 * v.z));
+}
+
+/// M^-1 of a vector along the surface. Edges that share a point of the horizon get the same numbers for it.
+vec3 ltcTransformHorizontal(LtcLobe lobe, vec2 v) {
+    return ltcSnapToHorizon(vec3(lobe.m11 * v.x, v.y, lobe.m31 * v.x));
 }
 
 /// The share of the light that the whole lobe reflects: F0 and F90 between Schlick's two ends.

@@ -55,50 +55,48 @@ LtcPolygon ltcBeginPolygon(vec3 toPlane, LtcLobe lobe) {
     return polygon;
 }
 
-/// Clips a stretch after M^-1, from `a` to `a + edge`, to z >= 0 and adds its integral; `zA`, `zB` are the heights of its
-/// ends and `crossZ` the z of a x edge.
-void ltcAddImageEdge(vec3 a, vec3 edge, float crossZ, float zA, float zB, inout LtcPolygon polygon) {
-    vec2 range = ltcClipEdge(zA, zB);
-    vec3 first = a + range.x * edge;
-    vec3 last = a + range.y * edge;
-    polygon.lobe += ltcEdgeIntegral(first, last, (range.y - range.x) * crossZ);
-    bool leaves = zA >= 0.0 && zB < 0.0;
-    bool enters = zA < 0.0 && zB >= 0.0;
-    vec2 crossing = leaves ? last.xy : (enters ? first.xy : vec2(0.0));
-    polygon.lobeTurn = ltcTurn(polygon.lobeTurn, polygon.imageReference, crossing, leaves);
+/// Where a clipped edge crosses the horizon, or no length.
+vec2 ltcCrossingOf(LtcClippedEdge clipped) {
+    return clipped.leaves ? clipped.last.xy : (clipped.enters ? clipped.first.xy : vec2(0.0));
+}
+
+/// Clips a stretch after M^-1, from `a` to `b` = a + edge, to z >= 0 and adds its integral; `zA`, `zB` are the heights of
+/// its ends and `crossZ` the z of a x edge.
+void ltcAddImageEdge(vec3 a, vec3 b, vec3 edge, float crossZ, float zA, float zB, inout LtcPolygon polygon) {
+    LtcClippedEdge clipped = ltcClipEdge(a, b, edge, zA, zB);
+    polygon.lobe += ltcEdgeIntegral(clipped.first, clipped.last, clipped.share * crossZ);
+    polygon.lobeTurn = ltcTurn(polygon.lobeTurn, polygon.imageReference, ltcCrossingOf(clipped), clipped.leaves);
 }
 
 /// Goes on to the vertex `p`, relative to the shaded point and in the shading frame. With `isEdge` false a contour begins
 /// there; otherwise the edge from the last vertex to it is added. A contour ends with its first vertex again.
 void ltcAddVertex(vec3 p, bool isEdge, LtcLobe lobe, inout LtcPolygon polygon) {
-    vec3 from = polygon.vertex;
-    vec3 edge = p - from;
-    float crossZ = isEdge ? ltcCrossZ(from, edge) : 0.0;
-    vec2 range = ltcClipEdge(from.z, p.z);
-    float share = range.y - range.x;
-    polygon.cosine += ltcEdgeIntegral(from + range.x * edge, from + range.y * edge, share * crossZ);
-    bool leaves = isEdge && from.z >= 0.0 && p.z < 0.0;
-    bool enters = isEdge && from.z < 0.0 && p.z >= 0.0;
-    vec2 crossing = leaves || enters ? from.xy + (leaves ? range.y : range.x) * edge.xy : vec2(0.0);
-    polygon.surfaceTurn = ltcTurn(polygon.surfaceTurn, polygon.reference, crossing, leaves);
-
-    // What is left of the edge, after M^-1. Edges that share a point compute its height alike.
+    p = ltcSnapToHorizon(p);
+    // The step to another contour is an edge of no length.
+    vec3 from = isEdge ? polygon.vertex : p;
     vec3 image = ltcTransform(lobe, p);
-    vec3 imageEdge = image - polygon.image;
-    float crossingZ = lobe.m31 * crossing.x;
-    bool isKept = isEdge && (from.z >= 0.0 || p.z >= 0.0);
-    float imageCrossZ = isKept ? share * ltcCrossZ(polygon.image, imageEdge) : 0.0;
-    float zFirst = isKept ? (enters ? crossingZ : polygon.image.z) : 0.0;
-    float zLast = isKept ? (leaves ? crossingZ : image.z) : 0.0;
-    ltcAddImageEdge(polygon.image + range.x * imageEdge, share * imageEdge, imageCrossZ, zFirst, zLast, polygon);
+    vec3 fromImage = isEdge ? polygon.image : image;
+    vec3 edge = p - from;
+    vec3 imageEdge = image - fromImage;
+
+    LtcClippedEdge clipped = ltcClipEdge(from, p, edge, from.z, p.z);
+    polygon.cosine += ltcEdgeIntegral(clipped.first, clipped.last, clipped.share * ltcCrossZ(from, edge));
+    vec2 crossing = ltcCrossingOf(clipped);
+    polygon.surfaceTurn = ltcTurn(polygon.surfaceTurn, polygon.reference, crossing, clipped.leaves);
+
+    // What is left of the edge, after M^-1.
+    vec3 imageCrossing = ltcTransformHorizontal(lobe, crossing);
+    vec3 first = clipped.enters ? imageCrossing : fromImage;
+    vec3 last = clipped.leaves ? imageCrossing : image;
+    bool isKept = clipped.share > 0.0;
+    ltcAddImageEdge(first, last, clipped.share * imageEdge, clipped.share * ltcCrossZ(fromImage, imageEdge),
+                    isKept ? first.z : 0.0, isKept ? last.z : 0.0, polygon);
 
     // The closing stretch between the crossing and the reference, after M^-1.
-    vec2 target = length(crossing) * polygon.reference;
-    vec3 imageCrossing = vec3(lobe.m11 * crossing.x, crossing.y, crossingZ);
-    vec3 imageTarget = vec3(lobe.m11 * target.x, target.y, lobe.m31 * target.x);
-    vec3 start = leaves ? imageCrossing : imageTarget;
-    vec3 end = leaves ? imageTarget : imageCrossing;
-    ltcAddImageEdge(start, end - start, ltcCrossZ(start, end), start.z, end.z, polygon);
+    vec3 imageTarget = ltcTransformHorizontal(lobe, length(crossing) * polygon.reference);
+    vec3 start = clipped.leaves ? imageCrossing : imageTarget;
+    vec3 end = clipped.leaves ? imageTarget : imageCrossing;
+    ltcAddImageEdge(start, end, end - start, ltcCrossZ(start, end), start.z, end.z, polygon);
 
     polygon.vertex = p;
     polygon.image = image;

@@ -32,7 +32,7 @@ void main() {
     if (emitter.radiance.w < 0.5 && !gl_FrontFacing) discard;
     if (emitter.vertices.y > 0u && !isInsideOutline(planeCoordinates(positionWorld))) discard;
     Surface surface;
-    surface.normalWorld = normalize(cross(emitter.edgeX.xyz, emitter.edgeY.xyz)) * (gl_FrontFacing ? 1.0 : -1.0);
+    surface.normalWorld = gl_FrontFacing ? emitter.normal.xyz : -emitter.normal.xyz;
     surface.diffuseAlbedo = vec3(0.0);
     surface.roughness = 1.0;
     surface.f0 = vec3(0.0);

@@ -23,8 +23,11 @@ out FragmentInput {
 void main() {
     vec4 position = instance.worldFromObject * vec4(positionObject, 1.0);
     fragment.positionWorld = position.xyz;
-    vec3 normal = normalize(mat3(instance.normalFromObject) * normalObject);
-    vec3 tangent = mat3(instance.worldFromObject) * tangentObject.xyz;
+    vec3 normal = mat3(instance.normalFromObject) * normalObject;
+    normal *= inversesqrt(max(dot(normal, normal), 1e-30));
+    // The scale's own size is taken out, lest its square leave single precision.
+    mat3 linear = mat3(instance.worldFromObject) * instance.mirror.y;
+    vec3 tangent = linear * tangentObject.xyz;
     // Non-uniform scale tilts a tangent; it has to stay in the surface.
     tangent -= normal * dot(normal, tangent);
     fragment.normalWorld = normal;

@@ -14,6 +14,7 @@ struct EmitterData {
     vec4 corner;
     vec4 edgeX;
     vec4 edgeY;
+    vec4 normal;      ///< Unit, to the emitting side.
     vec4 radiance;    ///< Nits; w: 1 if both sides emit.
     uvec4 vertices;   ///< First and count in polygonVertices; count 0: the whole rectangle.
 };

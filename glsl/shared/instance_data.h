@@ -11,8 +11,8 @@ const uint kInstanceBinding = 1;
 
 struct InstanceData {
     mat4 worldFromObject;
-    mat4 normalFromObject;  ///< Inverse transpose, sign of the determinant taken out.
-    vec4 mirror;            ///< x: -1 where the transform mirrors, else 1.
+    mat4 normalFromObject;  ///< Inverse transpose up to a positive factor.
+    vec4 mirror;            ///< x: -1 where the transform mirrors, else 1; y: 1 / its largest scale.
 };
 
 #ifdef __cplusplus

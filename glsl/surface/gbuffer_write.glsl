@@ -4,7 +4,7 @@
 #include "surface/octahedral.glsl"
 #include "surface/surface.glsl"
 
-// The attachments in the order of kGBufferAttachments (render/gbuffer.hpp).
+// The attachments in the order of kGBufferAttachments (lighting/gbuffer_layout.hpp).
 layout(location = 0) out vec2 outNormal;
 layout(location = 1) out vec4 outDiffuseRoughness;
 layout(location = 2) out vec4 outSpecular;

@@ -40,10 +40,18 @@ vec4 materialBaseColor() {
     return baseColor;
 }
 
+vec3 safeNormalize(vec3 v) {
+    float square = dot(v, v);
+    return square > 1e-30 ? v * inversesqrt(square) : vec3(0.0, 1.0, 0.0);
+}
+
 /// The geometric normal turned to the viewer by the side that is seen, bent by the normal map.
 vec3 materialNormal() {
     float facing = gl_FrontFacing ? 1.0 : -1.0;
-    vec3 normal = normalize(fragment.normalWorld);
+    // Between vertices whose normals are opposite nothing is left: there the flat normal serves.
+    vec3 flatNormal = cross(dFdx(fragment.positionWorld), dFdy(fragment.positionWorld));
+    float square = dot(fragment.normalWorld, fragment.normalWorld);
+    vec3 normal = square > 1e-12 ? fragment.normalWorld * inversesqrt(square) : safeNormalize(facing * flatNormal);
 #ifdef POLYLUME_NORMAL_TEXTURE
     vec3 bent = texture(normalTexture, slotUv(kNormalSlot)).xyz * 2.0 - 1.0;
     bent.xy *= material.normalScale;
@@ -92,7 +100,7 @@ Surface materialSurface(vec4 baseColor) {
     surface.roughness = roughness;
     surface.f0 = lit * mix(dielectricF0, color, metallic);
     surface.f90 = lit * mix(specular, 1.0, metallic);
-    surface.emission = material.unlit > 0.5 ? baseColor.rgb : emission;
+    surface.emission = material.unlit > 0.5 ? max(baseColor.rgb, 0.0) : emission;
     surface.occlusion = occlusion;
     return surface;
 }

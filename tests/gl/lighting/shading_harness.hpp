@@ -10,6 +10,7 @@
 #include "render/camera_projection.hpp"
 #include "render/gbuffer.hpp"
 #include "render/gbuffer_readback.hpp"
+#include "render/octahedral.hpp"
 
 namespace polylume::test {
 
@@ -55,7 +56,7 @@ class ShadingHarness {
         std::vector<glm::vec4> diffuse, specular, emission(points.size(), glm::vec4(0, 0, 0, 1));
         std::vector<float> depths;
         for (const ShadingPoint& point : points) {
-            normals.push_back(encodeOctahedral(point.normalWorld));
+            normals.push_back(octahedralEncode(point.normalWorld));
             diffuse.emplace_back(point.diffuseAlbedo, point.roughness);
             specular.emplace_back(point.f0, point.f90);
             depths.push_back(1.0f - point.distance / 16.0f);
@@ -90,13 +91,6 @@ class ShadingHarness {
     std::vector<GBufferPixel> decoded() const { return readGBuffer(gbuffer_, cameraData_); }
 
   private:
-    static glm::vec2 encodeOctahedral(const glm::vec3& n) {
-        const glm::vec2 p = glm::vec2(n) / (std::abs(n.x) + std::abs(n.y) + std::abs(n.z));
-        const glm::vec2 folded = (1.0f - glm::vec2(std::abs(p.y), std::abs(p.x))) *
-                                 glm::vec2(p.x >= 0 ? 1 : -1, p.y >= 0 ? 1 : -1);
-        return n.z >= 0.0f ? p : folded;
-    }
-
     const gl::Functions& gl_;
     GBuffer gbuffer_;
     gl::Texture radiance_;

@@ -56,6 +56,7 @@ const std::vector<Field> kLightingFields = {POLYLUME_FIELD(LightingData, "lighti
 const std::vector<Field> kEmitterFields = {POLYLUME_FIELD(EmitterData, "emitter.", corner),
                                            POLYLUME_FIELD(EmitterData, "emitter.", edgeX),
                                            POLYLUME_FIELD(EmitterData, "emitter.", edgeY),
+                                           POLYLUME_FIELD(EmitterData, "emitter.", normal),
                                            POLYLUME_FIELD(EmitterData, "emitter.", radiance),
                                            POLYLUME_FIELD(EmitterData, "emitter.", vertices)};
 const std::vector<Field> kParallelogramFields = {

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 
 #include <gmock/gmock.h>
+#include <unistd.h>
 
+#include <filesystem>
+#include <fstream>
 #include <random>
 
 #include "gl/support/gl_test.hpp"
@@ -17,12 +20,22 @@ using test::ShadingPoint;
 constexpr int kSize = 512;      // 262,144 points a frame.
 constexpr int kFrameCount = 6;  // 1.5 million points.
 constexpr int kLightCount = 12;
+/// Rounding, 0.013 measured: at normals that face straight away from the viewer, where the
+/// smoothest lobe that is promised stands on the table's last row and the light's edge on the
+/// horizon.
+constexpr float kRangeTolerance = 2e-2f;
+/// The roughness from which the factors are promised to be in range: smoother lobes at grazing
+/// views divide by a share of the lobe so small that rounding shows, and lights a hundred thousand
+/// times larger than their distance have too few digits near. What is lit stays from 0 to the
+/// light's own radiance all the same.
+constexpr float kRangeRoughness = 0.05f;
 
 /// Points and lights on a grid of quarters, where everything that can coincide does: points on
 /// planes, edges and vertices of lights, lights on the horizon, views along the normal.
 class TrapSweep {
   public:
-    explicit TrapSweep(unsigned seed) : generator_(seed) {}
+    /// With `withHuge` some lights reach 1e5 times farther than the points.
+    TrapSweep(unsigned seed, bool withHuge) : generator_(seed), withHuge_(withHuge) {}
 
     std::vector<ShadingPoint> makePoints(int count) {
         std::vector<ShadingPoint> points(static_cast<std::size_t>(count));
@@ -41,6 +54,7 @@ class TrapSweep {
         for (int i = 0; i < kLightCount; ++i) {
             PolygonLight light;
             light.contours = {makeContour()};
+            if (pick(0, 2) == 0) addHole(light);
             light.radiance = glm::vec3(pick(0, 4) == 0 ? 1e8f : 100.0f);
             light.twoSided = pick(0, 1) == 0;
             lights.polygons.push_back(light);
@@ -81,7 +95,8 @@ class TrapSweep {
         }
     }
 
-    /// Half of the pixel centres lie on such points.
+    /// Some 1,000 pixel centres of a frame lie on such a point, and every plane of a light passes
+    /// through thousands.
     glm::vec3 gridPoint() {
         const float half = 0.5f / 64.0f;
         return {0.25f * static_cast<float>(pick(-16, 16)) + half,
@@ -104,9 +119,11 @@ class TrapSweep {
                 x *= 1e-6f, y *= 1e-6f;  // A speck.
                 break;
             case 2:
+                if (!withHuge_) break;
                 x *= 1e5f, y *= 1e5f;  // Covers the horizon.
                 break;
             case 3:
+                if (!withHuge_) break;
                 return {corner + 1e5f * x, corner + 1e5f * x + y,
                         corner + 1e5f * x + y + x};  // Far.
             case 4:
@@ -120,27 +137,136 @@ class TrapSweep {
         return {corner, corner + x, corner + x + y, corner + y};
     }
 
+    /// A hole of half the outline's size, turned the other way; sometimes of no size, or as large
+    /// as the outline.
+    void addHole(PolygonLight& light) {
+        const std::vector<glm::vec3>& outline = light.contours.front();
+        const float share = 0.5f * static_cast<float>(pick(0, 2));
+        std::vector<glm::vec3> hole;
+        for (auto vertex = outline.rbegin(); vertex != outline.rend(); ++vertex) {
+            hole.push_back(outline.front() + share * (*vertex - outline.front()));
+        }
+        light.contours.push_back(hole);
+    }
+
     std::mt19937 generator_;
+    bool withHuge_;
 };
 
-class TrapSweepTest : public test::GlTest {};
+/// The form factors themselves, summed over the lights: max() in shadeSurface() would hide a value
+/// that is not a number.
+constexpr const char* kFactorShader = R"(#include "lighting/shade.glsl"
+#include "surface/gbuffer_read.glsl"
+layout(location = 0) out vec4 outFactors;
 
-TEST_P(TrapSweepTest, everyValueIsFiniteAndNotNegative) {
+vec4 grown(vec4 sum, vec2 factors) {
+    factors *= FACTOR_SCALE;
+    return vec4(sum.xy + factors, min(sum.z, min(factors.x, factors.y)), max(sum.w, max(factors.x, factors.y)));
+}
+
+void main() {
+    Surface surface = readGBuffer(ivec2(gl_FragCoord.xy));
+    LtcLobe lobe = ltcLookup(tableMatrices, tableAlbedos, surface.roughness,
+                             ltcViewCoordinate(surface.normalWorld, surface.viewWorld));
+    mat3 frame = ltcShadingFrame(surface.normalWorld, surface.viewWorld);
+    vec4 sum = vec4(0.0);
+    for (uint i = 0u; i < lighting.lightCount.x; ++i) {
+        sum = grown(sum, parallelogramFactors(i, surface.positionWorld, frame, lobe));
+    }
+#ifdef POLYLUME_POLYGON_LIGHTS
+    for (uint i = 0u; i < lighting.lightCount.y; ++i) {
+        sum = grown(sum, polygonFactors(i, surface.positionWorld, frame, lobe));
+    }
+#endif
+    outFactors = sum;
+}
+)";
+
+class TrapSweepTest : public test::GlTest {
+  protected:
+    void TearDown() override {
+        std::filesystem::remove_all(folder_);
+        test::GlTest::TearDown();
+    }
+
+    /// A library whose lighting pass writes the factors, each times `scale`.
+    gl::ShaderLibrary factorLibrary(const std::string& scale) {
+        std::filesystem::create_directories(folder_ / "passes");
+        std::ofstream(folder_ / "passes/lighting.frag") << "#define FACTOR_SCALE " << scale << "\n"
+                                                        << kFactorShader;
+        return gl::ShaderLibrary(folder_);
+    }
+
+    std::filesystem::path folder_ = "trap_sweep_test_" + std::to_string(::getpid());
+};
+
+TEST_P(TrapSweepTest, everyRadianceIsFiniteAndNotNegative) {
     const gl::ShaderLibrary library;
     LightingPass lighting(gl(), library, ltc::Table::builtinGgx());
     ShadingHarness harness(gl(), kSize);
-    TrapSweep sweep(2026);
+    TrapSweep sweep(2026, true);
     long lit = 0;
     for (int frame = 0; frame < kFrameCount; ++frame) {
         harness.setPoints(sweep.makePoints(harness.pointCount()));
         lighting.setLights(sweep.makeLights());
         for (const glm::vec4& radiance : harness.shade(lighting)) {
-            for (int c = 0; c < 3; ++c)
+            for (int c = 0; c < 3; ++c) {
                 ASSERT_TRUE(std::isfinite(radiance[c]) && radiance[c] >= 0.0f) << radiance[c];
+            }
             lit += radiance.x > 0.0f;
         }
     }
     EXPECT_GT(lit, 100'000) << "the sweep has to light something";
+}
+
+TEST_P(TrapSweepTest, everyFormFactorIsFinite) {
+    const gl::ShaderLibrary library = factorLibrary("1.0");
+    LightingPass lighting(gl(), library, ltc::Table::builtinGgx());
+    ShadingHarness harness(gl(), kSize);
+    TrapSweep sweep(711, true);
+    for (int frame = 0; frame < kFrameCount; ++frame) {
+        harness.setPoints(sweep.makePoints(harness.pointCount()));
+        lighting.setLights(sweep.makeLights());
+        for (const glm::vec4& factors : harness.shade(lighting)) {
+            ASSERT_TRUE(std::isfinite(factors.x) && std::isfinite(factors.y));
+        }
+    }
+}
+
+TEST_P(TrapSweepTest, everyFormFactorIsInRange) {
+    const gl::ShaderLibrary library = factorLibrary("1.0");
+    LightingPass lighting(gl(), library, ltc::Table::builtinGgx());
+    ShadingHarness harness(gl(), kSize);
+    TrapSweep sweep(713, false);
+    float lowest = 0.0f;
+    float highest = 0.0f;
+    for (int frame = 0; frame < kFrameCount; ++frame) {
+        std::vector<ShadingPoint> points = sweep.makePoints(harness.pointCount());
+        for (ShadingPoint& point : points) {
+            if (point.roughness < kRangeRoughness) point.roughness = kRangeRoughness;
+        }
+        harness.setPoints(points);
+        lighting.setLights(sweep.makeLights());
+        for (const glm::vec4& factors : harness.shade(lighting)) {
+            lowest = std::min(lowest, factors.z);
+            highest = std::max(highest, factors.w);
+        }
+    }
+    RecordProperty("lowest", std::to_string(lowest));
+    RecordProperty("highest", std::to_string(highest));
+    EXPECT_GT(lowest, -kRangeTolerance);
+    EXPECT_LT(highest, 1.0f + kRangeTolerance);
+    EXPECT_GT(highest, 0.9f) << "some light has to fill a lobe";
+}
+
+TEST_P(TrapSweepTest, valueThatIsNotANumberIsSeen) {
+    const gl::ShaderLibrary library = factorLibrary("uintBitsToFloat(0x7fc00000u)");
+    LightingPass lighting(gl(), library, ltc::Table::builtinGgx());
+    ShadingHarness harness(gl(), 64);
+    TrapSweep sweep(1, true);
+    harness.setPoints(sweep.makePoints(harness.pointCount()));
+    lighting.setLights(sweep.makeLights());
+    for (const glm::vec4& factors : harness.shade(lighting)) ASSERT_TRUE(std::isnan(factors.x));
 }
 
 POLYLUME_ON_EVERY_BACKEND(TrapSweepTest);

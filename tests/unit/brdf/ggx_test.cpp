@@ -68,13 +68,13 @@ double largestReciprocityError(const Brdf& brdf) {
     return largest;
 }
 
-TEST(Ggx, IsReciprocal) {
+TEST(Ggx, isReciprocal) {
     // Rounding of the half vector, amplified for small alpha.
     EXPECT_LT(largestReciprocityError(Ggx()), 1e-12);
     EXPECT_GT(largestReciprocityError(SkewedGgx()), 1e-3);
 }
 
-TEST(Ggx, AlbedoAtAlphaOneHasItsClosedForm) {
+TEST(Ggx, albedoAtAlphaOneHasItsClosedForm) {
     // 1 - c ln(1 + 1/c) for height-correlated Smith; separable Smith agrees at c = 1 only.
     const Ggx ggx;
     for (const double c : {1.0, 0.9, 0.5, 0.2, 0.05, 0.01, 0.001}) {
@@ -86,7 +86,7 @@ TEST(Ggx, AlbedoAtAlphaOneHasItsClosedForm) {
     EXPECT_NEAR(ggx.reflectance(1.0, 0.2).albedo, 0.641648, 1e-6);
 }
 
-TEST(Ggx, WhiteFurnaceNeverGainsEnergyAndSmoothSurfacesLoseNone) {
+TEST(Ggx, whiteFurnaceNeverGainsEnergyAndSmoothSurfacesLoseNone) {
     const Ggx ggx;
     for (int i = 0; i <= 63; ++i) {
         for (int j = 0; j <= 63; ++j) {
@@ -101,7 +101,7 @@ TEST(Ggx, WhiteFurnaceNeverGainsEnergyAndSmoothSurfacesLoseNone) {
     EXPECT_NEAR(ggx.reflectance(0.0, 0.5).fresnel, std::pow(0.5, 5), 1e-6);
 }
 
-TEST(Ggx, ReflectanceAgreesWithAFinerRuleOfAnotherKind) {
+TEST(Ggx, reflectanceAgreesWithAFinerRuleOfAnotherKind) {
     const Ggx ggx;
     for (const double roughness : kRoughnesses) {
         for (const double cosTheta : kCosines) {
@@ -122,7 +122,7 @@ TEST(Ggx, ReflectanceAgreesWithAFinerRuleOfAnotherKind) {
     }
 }
 
-TEST(Ggx, QuadratureCoversTheHemisphere) {
+TEST(Ggx, quadratureCoversTheHemisphere) {
     const Ggx ggx;
     for (const double cosTheta : kCosines) {
         double solidAngle = 0.0;
@@ -137,7 +137,7 @@ TEST(Ggx, QuadratureCoversTheHemisphere) {
     }
 }
 
-TEST(Ggx, ABrdfOfFiveFunctionsGetsTheSameReflectance) {
+TEST(Ggx, aBrdfOfFiveFunctionsGetsTheSameReflectance) {
     const PlainGgx plain;
     const Ggx ggx;
     for (const double roughness : {0.2, 0.5, 1.0}) {
@@ -177,7 +177,7 @@ double densityIntegral(const Brdf& brdf, double cosTheta, double roughness) {
     return sum;
 }
 
-TEST(Ggx, DensityIntegratesToOneOverTheSphere) {
+TEST(Ggx, densityIntegratesToOneOverTheSphere) {
     for (const double roughness : {0.1, 0.5, 1.0}) {
         for (const double cosTheta : {1.0, 0.7, 0.3}) {
             // The density jumps where half vectors reach the horizon.
@@ -243,7 +243,7 @@ double reducedChiSquare(const Brdf& brdf, double cosTheta, double roughness) {
     return chiSquare / freedom;
 }
 
-TEST(Ggx, SamplesFollowTheirDensity) {
+TEST(Ggx, samplesFollowTheirDensity) {
     for (const double roughness : {0.5, 0.8, 1.0}) {
         for (const double cosTheta : {1.0, 0.6, 0.2}) {
             // Some 300 degrees of freedom: 1 +- 0.08; the seed is fixed.
@@ -253,7 +253,7 @@ TEST(Ggx, SamplesFollowTheirDensity) {
     EXPECT_GT(reducedChiSquare(SkewedGgx(), 0.6, 0.8), 2.0);
 }
 
-TEST(Ggx, IsFiniteAtTheEndsOfItsRange) {
+TEST(Ggx, isFiniteAtTheEndsOfItsRange) {
     const Ggx ggx;
     for (const double roughness : {0.0, 1e-9, 1.0}) {
         for (const double cosTheta : {0.0, 1e-12, 1.0}) {

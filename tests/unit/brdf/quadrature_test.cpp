@@ -17,7 +17,7 @@ double integrate(const std::vector<QuadratureNode>& rule, Function function) {
     return sum;
 }
 
-TEST(Quadrature, GaussLegendreIsExactForPolynomialsUpToTwiceItsNodesLessOne) {
+TEST(Quadrature, gaussLegendreIsExactForPolynomialsUpToTwiceItsNodesLessOne) {
     for (const int count : {1, 2, 3, 8, 33, 64}) {
         const int degree = 2 * count - 1;
         const auto power = [&](double x) { return std::pow(x, degree); };
@@ -25,12 +25,12 @@ TEST(Quadrature, GaussLegendreIsExactForPolynomialsUpToTwiceItsNodesLessOne) {
     }
 }
 
-TEST(Quadrature, GaussLegendreIsNotExactOneDegreeFurther) {
+TEST(Quadrature, gaussLegendreIsNotExactOneDegreeFurther) {
     const auto power = [](double x) { return std::pow(x, 6); };
     EXPECT_GT(std::abs(integrate(gaussLegendre(3), power) - 1.0 / 7.0), 1e-5);
 }
 
-TEST(Quadrature, TanhSinhIntegratesRootsThatAreVerticalAtTheEnds) {
+TEST(Quadrature, tanhSinhIntegratesRootsThatAreVerticalAtTheEnds) {
     const auto circle = [](double x) { return std::sqrt(x * (1.0 - x)); };
     EXPECT_NEAR(integrate(tanhSinh(48), circle), std::acos(-1.0) / 8.0, 1e-9);
     const auto inverseRoot = [](double x) { return 1.0 / std::sqrt(x); };

@@ -26,7 +26,7 @@ class RecordedProgress : public Progress {
     std::vector<double> fractions;
 };
 
-TEST(FitTable, GivesTheSameBytesOnAnyNumberOfThreads) {
+TEST(FitTable, givesTheSameBytesOnAnyNumberOfThreads) {
     Progress progress;
     FitOptions options{.size = 9, .resolution = 16, .threadCount = 1};
     const std::vector<std::byte> one = fitTable(brdf::Ggx(), options, progress).toRaw();
@@ -45,7 +45,7 @@ double largestDifference(const ltc::TableEntry& a, const ltc::TableEntry& b) {
                      std::abs(a.fresnel - b.fresnel)});
 }
 
-TEST(FitTable, RefitOfSomeColumnsAgreesWithTheShippedTable) {
+TEST(FitTable, refitOfSomeColumnsAgreesWithTheShippedTable) {
     const ltc::Table& shipped = ltc::Table::builtinGgx();
     for (const int column : {0, 3, 17, 40, 63}) {
         const std::vector<ltc::TableEntry> refit =
@@ -63,7 +63,7 @@ TEST(FitTable, RefitOfSomeColumnsAgreesWithTheShippedTable) {
     EXPECT_GT(largestDifference(shipped.node(17, 30), shipped.node(17, 31)), 1e-3);
 }
 
-TEST(FitTable, LobesFollowTheMirrorDirectionBetweenRowsToo) {
+TEST(FitTable, lobesFollowTheMirrorDirectionBetweenRowsToo) {
     // Half way between two rows a narrow lobe has to be near its own best fit: rows that are each
     // fitted alone give 0.052 as the mean here, all views looked up exactly 0.003.
     const ltc::Table& table = ltc::Table::builtinGgx();
@@ -76,7 +76,7 @@ TEST(FitTable, LobesFollowTheMirrorDirectionBetweenRowsToo) {
     EXPECT_LE(sum / kCount, 0.035);
 }
 
-TEST(FitTable, TellsItsProgressInRisingFractionsUpToOne) {
+TEST(FitTable, tellsItsProgressInRisingFractionsUpToOne) {
     RecordedProgress progress;
     fitTable(brdf::Ggx(), FitOptions{.size = 5, .resolution = 8}, progress);
     ASSERT_FALSE(progress.fractions.empty());
@@ -85,7 +85,7 @@ TEST(FitTable, TellsItsProgressInRisingFractionsUpToOne) {
     EXPECT_EQ(progress.fractions.back(), 1.0);
 }
 
-TEST(FitTable, RefusesOptionsOutOfRange) {
+TEST(FitTable, refusesOptionsOutOfRange) {
     Progress progress;
     const auto errorOf = [&](const FitOptions& options) -> std::string {
         try {

@@ -27,7 +27,7 @@ LobeSamples samplesOf(const LobeShape& shape) {
     return samples;
 }
 
-TEST(LobeFit, RecoversALobeFromItsMoments) {
+TEST(LobeFit, recoversALobeFromItsMoments) {
     const LobeShape truth{0.5, -0.2, -0.9, 0.3};
     const LobeSamples samples = samplesOf(truth);
     const LobeShape found = fitLobe(samples, fitLobe(samples, momentShape(samples), 0.3), 0.02);
@@ -37,7 +37,7 @@ TEST(LobeFit, RecoversALobeFromItsMoments) {
     EXPECT_NEAR(found.shear, truth.shear, 1e-6);
 }
 
-TEST(LobeFit, RoundLobesStayRound) {
+TEST(LobeFit, roundLobesStayRound) {
     const LobeSamples samples = sampleLobe(brdf::Ggx(), 0.6, 1.0, 32);
     const LobeShape found =
         fitLobe(samples, LobeShape{0.3, 0.2, -0.5, 0.1}, 0.02, LobeFreedom::round);
@@ -48,7 +48,7 @@ TEST(LobeFit, RoundLobesStayRound) {
     EXPECT_LT(lobeError(samples, matrixOf(found)), 0.05);
 }
 
-TEST(LobeFit, EndsWhereNoSmallMoveHelps) {
+TEST(LobeFit, endsWhereNoSmallMoveHelps) {
     const LobeSamples samples = sampleLobe(brdf::Ggx(), 0.5, 0.4, 32);
     const LobeShape found = fitLobe(samples, fitLobe(samples, momentShape(samples), 0.3), 0.02);
     const double error = evaluateObjective(samples, matrixOf(found), 0.02).value;

@@ -25,7 +25,7 @@ double& component(LobeShape& shape, int index) {
     return *members[index];
 }
 
-TEST(LobeModel, ShapeAndMatrixAreEachOthersInverse) {
+TEST(LobeModel, shapeAndMatrixAreEachOthersInverse) {
     const ltc::TableEntry entry = matrixOf(kShape);
     EXPECT_NEAR(entry.m11 * entry.m33 - entry.m13 * entry.m31, std::exp(-0.3 - 1.2), 1e-14);
     const LobeShape shape = shapeOf(entry);
@@ -35,14 +35,14 @@ TEST(LobeModel, ShapeAndMatrixAreEachOthersInverse) {
     EXPECT_NEAR(shape.shear, kShape.shear, 1e-14);
 }
 
-TEST(LobeModel, LobeIsTheDensityOverItsUpperShare) {
+TEST(LobeModel, lobeIsTheDensityOverItsUpperShare) {
     const ltc::TableEntry entry = matrixOf(kShape);
     const glm::dvec3 direction = glm::normalize(glm::dvec3(-0.5, 0.2, 0.6));
     EXPECT_NEAR(normalisedLobe(direction, entry, nullptr),
                 ltc::lobeDensity(direction, entry) / ltc::upperShare(entry), 1e-13);
 }
 
-TEST(LobeModel, DerivativesAreThoseOfFiniteDifferences) {
+TEST(LobeModel, derivativesAreThoseOfFiniteDifferences) {
     constexpr double kStep = 1e-6;
     constexpr double kTolerance = 1e-8;  // Of central differences with that step.
     const ltc::TableEntry entry = matrixOf(kShape);
@@ -72,7 +72,7 @@ TEST(LobeModel, DerivativesAreThoseOfFiniteDifferences) {
     }
 }
 
-TEST(LobeModel, GradientOfTheObjectiveIsThatOfFiniteDifferences) {
+TEST(LobeModel, gradientOfTheObjectiveIsThatOfFiniteDifferences) {
     constexpr double kStep = 1e-6;
     const LobeSamples samples = sampleLobe(brdf::Ggx(), 0.6, 0.5, 24);
     const ltc::TableEntry entry = matrixOf(kShape);
@@ -88,7 +88,7 @@ TEST(LobeModel, GradientOfTheObjectiveIsThatOfFiniteDifferences) {
     }
 }
 
-TEST(LobeModel, ErrorOfTheSameLobeIsZeroAndOfOneFarAwayIsTwo) {
+TEST(LobeModel, errorOfTheSameLobeIsZeroAndOfOneFarAwayIsTwo) {
     LobeSamples samples = sampleLobe(brdf::Ggx(), 1.0, 0.5, 96);
     for (LobeSamples::Point& point : samples.points) {
         const double lobe = normalisedLobe(point.direction, matrixOf(kShape), nullptr);

@@ -16,7 +16,7 @@
 namespace polylume::fit {
 namespace {
 
-TEST(ScoreTable, ShippedGgxTableIsWithinItsLimits) {
+TEST(ScoreTable, shippedGgxTableIsWithinItsLimits) {
     const ltc::Table& table = ltc::Table::builtinGgx();
     const TableScore score = scoreTable(brdf::Ggx(), table);
     // The project's limit is 0.13; this is what the fit reaches, so that a loss of it shows.
@@ -28,7 +28,7 @@ TEST(ScoreTable, ShippedGgxTableIsWithinItsLimits) {
     EXPECT_NEAR(std::stod(table.attributes().at("scoreAtNodes")), score.atNodes, 6e-5);
 }
 
-TEST(ScoreTable, SeesATableWhoseLobesPointTheOtherWay) {
+TEST(ScoreTable, seesATableWhoseLobesPointTheOtherWay) {
     const ltc::Table& table = ltc::Table::builtinGgx();
     std::vector<float> values(table.values().begin(), table.values().end());
     for (std::size_t i = 0; i < values.size(); i += ltc::Table::kValueCount) {
@@ -74,7 +74,7 @@ double monteCarloError(double roughness, double cosTheta, const ltc::TableEntry&
     return sum / kSampleCount;
 }
 
-TEST(ScoreTable, AgreesWithMonteCarlo) {
+TEST(ScoreTable, agreesWithMonteCarlo) {
     const ltc::Table& table = ltc::Table::builtinGgx();
     for (const double roughness : {0.05, 0.107, 0.3, 0.6, 1.0}) {
         for (const double degrees : {0.0, 41.0, 70.0, 85.0}) {

@@ -42,7 +42,7 @@ bool areSame(const ltc::Table& a, const ltc::Table& b) {
     return a.toRaw() == b.toRaw();
 }
 
-TEST(TableFile, ShippedFilesAndTheBuiltinTableAgreeExactly) {
+TEST(TableFile, shippedFilesAndTheBuiltinTableAgreeExactly) {
     const ltc::Table exr = readTable(kTables / "ggx.exr");
     const ltc::Table raw = readTable(kTables / "ggx.f32");
     EXPECT_TRUE(areSame(exr, raw));
@@ -50,7 +50,7 @@ TEST(TableFile, ShippedFilesAndTheBuiltinTableAgreeExactly) {
     EXPECT_EQ(raw.toRaw(), readFile(kTables / "ggx.f32"));
 }
 
-TEST(TableFile, WritesBothFormsAndReadsThemBack) {
+TEST(TableFile, writesBothFormsAndReadsThemBack) {
     const ltc::Table& table = ltc::Table::builtinGgx();
     const fs::path path = ownPath("written.exr");
     writeTable(path, table);
@@ -63,7 +63,7 @@ TEST(TableFile, WritesBothFormsAndReadsThemBack) {
     EXPECT_EQ(bytes, readFile(kTables / "ggx.exr"));
 }
 
-TEST(TableFile, NamesThatSayNoFormatAreRefused) {
+TEST(TableFile, namesThatSayNoFormatAreRefused) {
     const ltc::Table& table = ltc::Table::builtinGgx();
     EXPECT_THAT(errorOf([&] { writeTable("table.png", table); }),
                 ::testing::HasSubstr("to end in .exr, found \"table.png\""));
@@ -80,7 +80,7 @@ TEST(TableFile, NamesThatSayNoFormatAreRefused) {
     EXPECT_EQ(errorOf([&] { checkTablePath("table.exr"); }), "no error");
 }
 
-TEST(TableFile, ImagesThatAreNoTablesAreRefused) {
+TEST(TableFile, imagesThatAreNoTablesAreRefused) {
     const fs::path path = ownPath("changed.exr");
     const FloatImage good = readImage(kTables / "ggx.exr");
     const auto errorAfter = [&](const std::function<void(FloatImage&)>& change) {

@@ -18,7 +18,7 @@ constexpr double kPi = std::numbers::pi;
 /// Sums of a few angles in double.
 constexpr double kRounding = 1e-13;
 
-TEST(FormFactor, ParallelRectangleWithACornerAboveThePoint) {
+TEST(FormFactor, parallelRectangleWithACornerAboveThePoint) {
     // Howell, catalogue of configuration factors, B-3: element to parallel rectangle a x b at c.
     for (const auto& [a, b, c] : {std::tuple{1.0, 1.0, 1.0}, {2.0, 0.5, 0.3}, {0.1, 5.0, 2.0}}) {
         const double x = a / c;
@@ -31,7 +31,7 @@ TEST(FormFactor, ParallelRectangleWithACornerAboveThePoint) {
     }
 }
 
-TEST(FormFactor, PerpendicularRectangleThatTouchesTheHorizon) {
+TEST(FormFactor, perpendicularRectangleThatTouchesTheHorizon) {
     // Howell B-4: element to a perpendicular rectangle, width b, height a, its lower corner at
     // distance c along the normal of the rectangle.
     for (const auto& [a, b, c] : {std::tuple{1.0, 1.0, 1.0}, {2.0, 0.5, 0.3}, {0.1, 5.0, 2.0}}) {
@@ -49,11 +49,11 @@ TEST(FormFactor, PerpendicularRectangleThatTouchesTheHorizon) {
     }
 }
 
-TEST(FormFactor, SquareThatIsFarWiderThanItsHeightFillsTheHemisphere) {
+TEST(FormFactor, squareThatIsFarWiderThanItsHeightFillsTheHemisphere) {
     EXPECT_NEAR(formFactor(rectangle(-5e4, 5e4, -5e4, 5e4, 1.0)), 1.0, 1e-6);
 }
 
-TEST(FormFactor, PolygonOfManySidesTendsToTheDisk) {
+TEST(FormFactor, polygonOfManySidesTendsToTheDisk) {
     // Coaxial disk: R^2 / (R^2 + h^2). Off axis, parallel: (1 - (h^2 + d^2 - R^2) / root) / 2
     // (B-13).
     const double height = 0.7;
@@ -73,7 +73,7 @@ TEST(FormFactor, PolygonOfManySidesTendsToTheDisk) {
     EXPECT_NEAR(coarse / fine, 4.0, 0.05);
 }
 
-TEST(FormFactor, SplittingRotatingReversing) {
+TEST(FormFactor, splittingRotatingReversing) {
     std::mt19937_64 generator(3);
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
     for (int i = 0; i < 1000; ++i) {
@@ -96,7 +96,7 @@ TEST(FormFactor, SplittingRotatingReversing) {
     }
 }
 
-TEST(FormFactor, ConcaveOutlinesAndHolesAreExactAcrossTheHorizon) {
+TEST(FormFactor, concaveOutlinesAndHolesAreExactAcrossTheHorizon) {
     std::mt19937_64 generator(4);
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
     int crossings = 0;
@@ -126,7 +126,7 @@ TEST(FormFactor, ConcaveOutlinesAndHolesAreExactAcrossTheHorizon) {
     EXPECT_GT(crossings, 500);
 }
 
-TEST(FormFactor, SmallFarLightIsAPointLight) {
+TEST(FormFactor, smallFarLightIsAPointLight) {
     const glm::dvec3 centre(300.0, 200.0, 400.0);
     const glm::dvec3 toPoint = -glm::normalize(centre);
     const glm::dvec3 u = glm::normalize(glm::cross(toPoint, glm::dvec3(0, 0, 1)));
@@ -140,7 +140,7 @@ TEST(FormFactor, SmallFarLightIsAPointLight) {
     EXPECT_NEAR(formFactor(light) / expected, 1.0, 1e-5);
 }
 
-TEST(FormFactor, IsZeroInTheLightsPlaneAndForNoArea) {
+TEST(FormFactor, isZeroInTheLightsPlaneAndForNoArea) {
     const Polygon wall = {{{0, -1, -1}, {0, -1, 1}, {0, 1, 1}, {0, 1, -1}}};
     EXPECT_EQ(formFactor(wall), 0.0);                                            // Inside of it.
     EXPECT_EQ(formFactor(transformed(wall, glm::dmat3(1.0), {0, 1, 0})), 0.0);   // On its edge.

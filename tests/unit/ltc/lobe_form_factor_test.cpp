@@ -35,7 +35,7 @@ double densityIntegral(const TableEntry& entry, double minZ) {
     return sum * (1.0 - minZ) * 2.0 * kPi / (static_cast<double>(kSteps) * kSteps);
 }
 
-TEST(Lobe, DensityIntegratesToOneAndItsUpperPartToTheShare) {
+TEST(Lobe, densityIntegratesToOneAndItsUpperPartToTheShare) {
     for (const TableEntry& entry : {kCosine, kTilted, kGrazing}) {
         // Midpoint rule of 2000 x 2000 with a kink at the lobe's own horizon.
         EXPECT_NEAR(densityIntegral(entry, -1.0), 1.0, 2e-4);
@@ -45,7 +45,7 @@ TEST(Lobe, DensityIntegratesToOneAndItsUpperPartToTheShare) {
     EXPECT_EQ(upperShare(kCosine), 1.0);
 }
 
-TEST(Lobe, IdentityGivesTheFormFactor) {
+TEST(Lobe, identityGivesTheFormFactor) {
     std::mt19937_64 generator(5);
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
     for (int i = 0; i < 1000; ++i) {
@@ -68,7 +68,7 @@ double bandAboveHorizon(const TableEntry& entry) {
     return sum / kSteps * 2.0 * kPi * 2e-5 / upperShare(entry);
 }
 
-TEST(Lobe, HugeSquareTakesTheWholeLobe) {
+TEST(Lobe, hugeSquareTakesTheWholeLobe) {
     const Polygon ceiling = rectangle(-5e4, 5e4, -5e4, 5e4, 1.0);
     std::vector<TableEntry> entries = {kCosine, kTilted, kGrazing};
     for (const double roughness : {0.0, 0.1, 0.3, 0.5, 0.8, 1.0}) {
@@ -101,7 +101,7 @@ double integrateOverRectangle(double x0, double x1, double y0, double y1, double
     return sum * (x1 - x0) * (y1 - y0) / (static_cast<double>(kSteps) * kSteps) / upperShare(entry);
 }
 
-TEST(Lobe, PolygonIntegralIsTheDensityIntegratedOverIt) {
+TEST(Lobe, polygonIntegralIsTheDensityIntegratedOverIt) {
     for (const TableEntry& entry : {kTilted, kGrazing}) {
         const double expected = integrateOverRectangle(-3, 0.5, -1, 0.7, 0.8, entry);
         const Polygon light = rectangle(-3, 0.5, -1, 0.7, 0.8);
@@ -111,7 +111,7 @@ TEST(Lobe, PolygonIntegralIsTheDensityIntegratedOverIt) {
     }
 }
 
-TEST(Lobe, NothingLeaksFromBehindTheSurface) {
+TEST(Lobe, nothingLeaksFromBehindTheSurface) {
     // Below the surface, but within the part of the lobe that hangs there.
     const Polygon below = {{{-1, -1, -0.01}, {-1, 1, -0.01}, {-1, 1, -2}, {-1, -1, -2}}};
     EXPECT_EQ(lobeFormFactor(below, kGrazing), 0.0);
@@ -124,7 +124,7 @@ TEST(Lobe, NothingLeaksFromBehindTheSurface) {
     EXPECT_GT(std::abs(formFactor(twin)), 1e-3);
 }
 
-TEST(Lobe, SplittingAndHolesAreExactThroughBothClips) {
+TEST(Lobe, splittingAndHolesAreExactThroughBothClips) {
     std::mt19937_64 generator(6);
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
     for (int i = 0; i < 1000; ++i) {
@@ -145,7 +145,7 @@ TEST(Lobe, SplittingAndHolesAreExactThroughBothClips) {
     }
 }
 
-TEST(Lobe, SmallFarLightIsTheDensityTimesItsSolidAngle) {
+TEST(Lobe, smallFarLightIsTheDensityTimesItsSolidAngle) {
     const double half = 0.01;
     for (const TableEntry& entry : {kTilted, kGrazing, Table::builtinGgx().lookup(0.4, 0.6)}) {
         const glm::dvec3 centre(-60.0, 10.0, 50.0);
@@ -160,7 +160,7 @@ TEST(Lobe, SmallFarLightIsTheDensityTimesItsSolidAngle) {
     }
 }
 
-TEST(Lobe, SmoothLimitIsWhetherTheMirrorRayHits) {
+TEST(Lobe, smoothLimitIsWhetherTheMirrorRayHits) {
     const Table& table = Table::builtinGgx();
     for (const double cosTheta : {1.0, 0.8, 0.5, 0.2}) {
         const double sinTheta = std::sqrt(1.0 - cosTheta * cosTheta);

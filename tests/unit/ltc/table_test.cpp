@@ -51,7 +51,7 @@ std::string errorOf(const std::function<void()>& function) {
     return "no error";
 }
 
-TEST(Table, LookupIsBilinearInRoughnessAndRootOfOneMinusCosine) {
+TEST(Table, lookupIsBilinearInRoughnessAndRootOfOneMinusCosine) {
     const Table table = goodTable();
     const double root = 0.3;  // Row 0.6.
     const TableEntry entry = table.lookup(0.8, 1.0 - root * root);
@@ -62,7 +62,7 @@ TEST(Table, LookupIsBilinearInRoughnessAndRootOfOneMinusCosine) {
     EXPECT_NEAR(entry.fresnel, 0.06, 1e-6);
 }
 
-TEST(Table, LookupClampsAtTheEdgesAndMeetsTheNodes) {
+TEST(Table, lookupClampsAtTheEdgesAndMeetsTheNodes) {
     const Table table = goodTable();
     EXPECT_EQ(table.lookup(-1.0, 2.0).m11, table.node(0, 0).m11);
     EXPECT_EQ(table.lookup(9.0, -1.0).m33, table.node(2, 2).m33);
@@ -70,7 +70,7 @@ TEST(Table, LookupClampsAtTheEdgesAndMeetsTheNodes) {
     EXPECT_EQ(table.lookup(0.5, 0.75).m11, table.node(1, 1).m11);
 }
 
-TEST(Table, RawFormKeepsEveryByte) {
+TEST(Table, rawFormKeepsEveryByte) {
     const Table table = goodTable();
     const Table copy = Table::fromRaw(table.toRaw(), "copy");
     EXPECT_EQ(copy.size(), 3);
@@ -81,7 +81,7 @@ TEST(Table, RawFormKeepsEveryByte) {
     EXPECT_EQ((table.toRaw().size() - table.values().size() * 4) % 16, 0u);
 }
 
-TEST(Table, RawFormIsRefusedWhereverItIsCutOrChanged) {
+TEST(Table, rawFormIsRefusedWhereverItIsCutOrChanged) {
     const std::vector<std::byte> good = goodTable().toRaw();
     for (std::size_t length = 0; length < good.size(); ++length) {
         const std::string error =
@@ -97,7 +97,7 @@ TEST(Table, RawFormIsRefusedWhereverItIsCutOrChanged) {
     }
 }
 
-TEST(Table, ValuesThatWouldBreakAShaderAreRefusedWithTheirPlace) {
+TEST(Table, valuesThatWouldBreakAShaderAreRefusedWithTheirPlace) {
     struct Case {
         int value;
         double to;
@@ -122,7 +122,7 @@ TEST(Table, ValuesThatWouldBreakAShaderAreRefusedWithTheirPlace) {
                 ::testing::HasSubstr("m11 above 0"));
 }
 
-TEST(Table, AttributesThatAreMissingOrNotOursAreRefused) {
+TEST(Table, attributesThatAreMissingOrNotOursAreRefused) {
     for (const char* name : {"axes", "brdf", "alphaFloor", "lobes", "formatVersion", "matrix"}) {
         auto attributes = goodAttributes();
         attributes.erase(name);
@@ -147,7 +147,7 @@ TEST(Table, AttributesThatAreMissingOrNotOursAreRefused) {
     EXPECT_THAT(errorOf([&] { Table(1, {}, goodAttributes()); }), ::testing::HasSubstr("found 1"));
 }
 
-TEST(Table, BuiltinGgxIsTheStandardSize) {
+TEST(Table, builtinGgxIsTheStandardSize) {
     const Table& table = Table::builtinGgx();
     EXPECT_EQ(table.size(), 64);
     EXPECT_EQ(table.attributes().at("brdf"), "ggx");
@@ -160,7 +160,7 @@ TEST(Table, BuiltinGgxIsTheStandardSize) {
     }
 }
 
-TEST(Table, BuiltinLobesAreNeverTurnedInsideOutBetweenNodes) {
+TEST(Table, builtinLobesAreNeverTurnedInsideOutBetweenNodes) {
     // The loader checks the nodes; a blend of four valid matrices need not be one.
     const Table& table = Table::builtinGgx();
     constexpr int kSteps = 63 * 8;
@@ -175,7 +175,7 @@ TEST(Table, BuiltinLobesAreNeverTurnedInsideOutBetweenNodes) {
     }
 }
 
-TEST(Table, BuiltinAlbedoAtAlphaOneHasItsClosedForm) {
+TEST(Table, builtinAlbedoAtAlphaOneHasItsClosedForm) {
     const Table& table = Table::builtinGgx();
     for (int row = 0; row < table.size(); ++row) {
         const double root = row / 63.0;

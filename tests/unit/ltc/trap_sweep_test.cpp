@@ -76,7 +76,7 @@ class TrapSource {
     std::mt19937_64 generator_;
 };
 
-TEST(TrapSweep, AMillionConfigurationsGiveNoValueThatIsNotFiniteOrOutOfRange) {
+TEST(TrapSweep, aMillionConfigurationsGiveFiniteValues) {
     TrapSource source(20260101);
     const Table& table = Table::builtinGgx();
     int nonZeroCount = 0;
@@ -95,7 +95,7 @@ TEST(TrapSweep, AMillionConfigurationsGiveNoValueThatIsNotFiniteOrOutOfRange) {
     EXPECT_GT(nonZeroCount, 200'000);
 }
 
-TEST(TrapSweep, OppositeVerticesSeenHalfATurnApart) {
+TEST(TrapSweep, oppositeVerticesSeenHalfATurnApart) {
     // The point lies just off the line between two vertices: theta is nearly pi.
     for (const double distance : {1e-2, 1e-5, 1e-8, 1e-11}) {
         const Polygon light = {

@@ -33,7 +33,7 @@ glm::vec3 corner(const Bounds& bounds, int i) {
             i & 4 ? bounds.maximum.z : bounds.minimum.z};
 }
 
-TEST(FramingTest, FillsThePictureLessAMargin) {
+TEST(FramingTest, fillsThePictureLessAMargin) {
     for (const Bounds& bounds : {kCube, kTower, kPlate, kSpeck}) {
         for (const float aspectRatio : {0.4f, 1.0f, 16.0f / 9.0f, 3.0f}) {
             const Camera camera = frameCamera(bounds, aspectRatio);
@@ -52,7 +52,7 @@ TEST(FramingTest, FillsThePictureLessAMargin) {
     }
 }
 
-TEST(FramingTest, LooksFromTheFrontAndAboveWithoutRolling) {
+TEST(FramingTest, looksFromTheFrontAndAboveWithoutRolling) {
     const Camera camera = frameCamera(kCube, 1.0f);
     const glm::vec3 forward = -glm::vec3(camera.worldFromCamera[2]);
     EXPECT_LT(forward.z, -0.5f);
@@ -61,7 +61,7 @@ TEST(FramingTest, LooksFromTheFrontAndAboveWithoutRolling) {
     EXPECT_NEAR(glm::determinant(glm::mat3(camera.worldFromCamera)), 1.0f, 1e-5f);
 }
 
-TEST(FramingTest, TakesEmptyAndPointlikeBounds) {
+TEST(FramingTest, takesEmptyAndPointlikeBounds) {
     for (const Bounds& bounds : {Bounds{}, Bounds{glm::vec3(3), glm::vec3(3)}}) {
         const Camera camera = frameCamera(bounds, 1.5f);
         const auto& perspective = std::get<Perspective>(camera.projection);
@@ -71,7 +71,7 @@ TEST(FramingTest, TakesEmptyAndPointlikeBounds) {
     }
 }
 
-TEST(DefaultRigTest, FacesTheObjectFromOutsideThePicture) {
+TEST(DefaultRigTest, facesTheObjectFromOutsideThePicture) {
     for (const Bounds& bounds : {kCube, kTower, kPlate, kSpeck}) {
         for (const float aspectRatio : {0.6f, 1.0f, 16.0f / 9.0f}) {
             const Camera camera = frameCamera(bounds, aspectRatio);
@@ -100,7 +100,7 @@ TEST(DefaultRigTest, FacesTheObjectFromOutsideThePicture) {
     }
 }
 
-TEST(DefaultRigTest, LightsAlikeAtEverySize) {
+TEST(DefaultRigTest, lightsAlikeAtEverySize) {
     // Solid angle times radiance, the irradiance toward each light for small lights.
     const auto irradiance = [](const Bounds& bounds) {
         double sum = 0.0;

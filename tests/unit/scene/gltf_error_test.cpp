@@ -37,7 +37,7 @@ std::string errorAfter(const char* pointer, const json& value) {
         [&](GltfBuilder& builder) { builder.document[json::json_pointer(pointer)] = value; });
 }
 
-TEST(GltfErrorTest, NamesIndicesOutOfRangeAndTheirPlace) {
+TEST(GltfErrorTest, namesIndicesOutOfRangeAndTheirPlace) {
     EXPECT_EQ(errorAfter("/nodes/0/mesh", 7),
               "expected \"mesh\" below 1, found 7 (scene.gltf: nodes[0])");
     EXPECT_EQ(errorAfter("/nodes/0/mesh", -1),
@@ -59,7 +59,7 @@ TEST(GltfErrorTest, NamesIndicesOutOfRangeAndTheirPlace) {
               "expected \"bufferView\" below 3, found 1e+300 (scene.gltf: accessors[0])");
 }
 
-TEST(GltfErrorTest, NamesWrongTypesAndMissingProperties) {
+TEST(GltfErrorTest, namesWrongTypesAndMissingProperties) {
     EXPECT_EQ(errorAfter("/nodes/0/mesh", "one"),
               "expected \"mesh\" to be an index, found \"one\" (scene.gltf: nodes[0])");
     EXPECT_EQ(errorAfter("/nodes/0/scale", {1, 2}),
@@ -77,7 +77,7 @@ TEST(GltfErrorTest, NamesWrongTypesAndMissingProperties) {
               "expected \"count\", which is missing (scene.gltf: accessors[0])");
 }
 
-TEST(GltfErrorTest, NamesRangesThatReachTooFar) {
+TEST(GltfErrorTest, namesRangesThatReachTooFar) {
     EXPECT_THAT(errorAfter("/bufferViews/0/byteOffset", 4000000000),
                 AllOf(HasSubstr("bytes of buffers[0]"), HasSubstr("at 4000000000"),
                       HasSubstr("scene.gltf: bufferViews[0]")));
@@ -94,7 +94,7 @@ TEST(GltfErrorTest, NamesRangesThatReachTooFar) {
                 HasSubstr("without a buffer view"));
 }
 
-TEST(GltfErrorTest, NamesAccessorsOfTheWrongKind) {
+TEST(GltfErrorTest, namesAccessorsOfTheWrongKind) {
     EXPECT_THAT(errorAfter("/accessors/1/type", "VEC2"),
                 AllOf(HasSubstr("POSITION to be VEC3, found VEC2"), HasSubstr("accessors[1]")));
     EXPECT_THAT(errorAfter("/accessors/0/componentType", 5126), HasSubstr("found 5126"));
@@ -105,7 +105,7 @@ TEST(GltfErrorTest, NamesAccessorsOfTheWrongKind) {
                       HasSubstr("scene.gltf: meshes[0].primitives[0].indices")));
 }
 
-TEST(GltfErrorTest, NamesPositionsThatAreNotFinite) {
+TEST(GltfErrorTest, namesPositionsThatAreNotFinite) {
     for (const float bad : {std::nanf(""), HUGE_VALF, -1e20f}) {
         EXPECT_THAT(errorAfter([bad](GltfBuilder& b) { std::memcpy(&b.buffer[4 + 12], &bad, 4); }),
                     AllOf(HasSubstr("finite positions"), HasSubstr("at vertex 1"),
@@ -113,7 +113,7 @@ TEST(GltfErrorTest, NamesPositionsThatAreNotFinite) {
     }
 }
 
-TEST(GltfErrorTest, NamesNodesThatFormNoTree) {
+TEST(GltfErrorTest, namesNodesThatFormNoTree) {
     EXPECT_THAT(errorAfter("/nodes/0/children", {0}), HasSubstr("nodes[0]"));
     EXPECT_THAT(errorAfter([](GltfBuilder& b) {
                     b.document["nodes"].push_back({{"children", {2}}});
@@ -127,7 +127,7 @@ TEST(GltfErrorTest, NamesNodesThatFormNoTree) {
                 HasSubstr("one parent"));
 }
 
-TEST(GltfErrorTest, NamesExtensionsThatAreRequiredAndWarnsOfThoseUsed) {
+TEST(GltfErrorTest, namesExtensionsThatAreRequiredAndWarnsOfThoseUsed) {
     EXPECT_THAT(errorAfter("/extensionsRequired", {"KHR_draco_mesh_compression"}),
                 AllOf(HasSubstr("KHR_draco_mesh_compression"), HasSubstr("scene.gltf")));
     const WarningLog log;
@@ -138,7 +138,7 @@ TEST(GltfErrorTest, NamesExtensionsThatAreRequiredAndWarnsOfThoseUsed) {
                 ElementsAre("scene.gltf: passed over unknown extensions: VENDOR_a, VENDOR_b"));
 }
 
-TEST(GltfErrorTest, NamesMissingAndBrokenBuffersAndImages) {
+TEST(GltfErrorTest, namesMissingAndBrokenBuffersAndImages) {
     EXPECT_THAT(errorAfter([](GltfBuilder& b) {
                     b.document["buffers"] = {{{"byteLength", 100}, {"uri", "gone.bin"}}};
                 }),
@@ -160,14 +160,14 @@ TEST(GltfErrorTest, NamesMissingAndBrokenBuffersAndImages) {
     EXPECT_THAT(errorAfter("/images/0", json::object()), HasSubstr("images[0]"));
 }
 
-TEST(GltfErrorTest, NamesTheVersion) {
+TEST(GltfErrorTest, namesTheVersion) {
     EXPECT_THAT(errorAfter("/asset/version", "1.0"),
                 AllOf(HasSubstr("expected glTF version 2.0, found 1.0"), HasSubstr("scene.gltf")));
     EXPECT_THAT(errorAfter("/asset/minVersion", "2.1"), HasSubstr("found 2.1"));
     EXPECT_THAT(errorAfter([](GltfBuilder& b) { b.document.erase("asset"); }), HasSubstr("asset"));
 }
 
-TEST(GltfErrorTest, NamesTypesOfLightsAndCameras) {
+TEST(GltfErrorTest, namesTypesOfLightsAndCameras) {
     GltfBuilder builder;
     builder.document["extensions"]["EXT_lights_area"]["lights"] =
         json::array({{{"type", "rect"}}, json::object(), {{"type", "disc"}}});
@@ -191,7 +191,7 @@ TEST(GltfErrorTest, NamesTypesOfLightsAndCameras) {
     EXPECT_THAT(readError(cameras), HasSubstr("cameras[0]"));
 }
 
-TEST(GltfErrorTest, NamesBrokenSkinsAndMorphWeights) {
+TEST(GltfErrorTest, namesBrokenSkinsAndMorphWeights) {
     EXPECT_THAT(errorAfter([](GltfBuilder& b) {
                     b.add("skins", {{"joints", {0}}});
                     b.document["nodes"][0]["skin"] = 0;
@@ -204,7 +204,7 @@ TEST(GltfErrorTest, NamesBrokenSkinsAndMorphWeights) {
                 HasSubstr("expected 2 weights"));
 }
 
-TEST(GltfErrorTest, NamesFilesThatAreCutShort) {
+TEST(GltfErrorTest, namesFilesThatAreCutShort) {
     GltfBuilder builder;
     builder.addTriangle();
     const std::vector<std::byte> whole = builder.glb();
@@ -227,7 +227,7 @@ TEST(GltfErrorTest, NamesFilesThatAreCutShort) {
     EXPECT_THROW(readGltf("no such file.gltf"), Error);
 }
 
-TEST(GltfErrorTest, SurvivesDeeplyNestedJson) {
+TEST(GltfErrorTest, survivesDeeplyNestedJson) {
     std::string text = R"({"asset":{"version":"2.0"},"extras":)";
     text.append(200000, '[').append(200000, ']').append("}");
     const auto* begin = reinterpret_cast<const std::byte*>(text.data());

@@ -32,13 +32,13 @@ Scene readIndexed(ComponentType type) {
     return builder.read();
 }
 
-TEST(GltfGeometryTest, ReadsEveryIndexType) {
+TEST(GltfGeometryTest, readsEveryIndexType) {
     EXPECT_THAT(readIndexed<std::uint8_t>(u8).meshes.at(0).indices, ElementsAre(2, 1, 0));
     EXPECT_THAT(readIndexed<std::uint16_t>(u16).meshes.at(0).indices, ElementsAre(2, 1, 0));
     EXPECT_THAT(readIndexed<std::uint32_t>(u32).meshes.at(0).indices, ElementsAre(2, 1, 0));
 }
 
-TEST(GltfGeometryTest, TakesVerticesInOrderWithoutIndices) {
+TEST(GltfGeometryTest, takesVerticesInOrderWithoutIndices) {
     GltfBuilder builder;
     builder.addTriangle();
     const Scene scene = builder.read();
@@ -46,7 +46,7 @@ TEST(GltfGeometryTest, TakesVerticesInOrderWithoutIndices) {
                 ElementsAre(glm::vec3(0), glm::vec3(1, 0, 0), glm::vec3(0, 1, 0)));
 }
 
-TEST(GltfGeometryTest, GivesFlatNormalsToUnsharedVerticesWithoutNormals) {
+TEST(GltfGeometryTest, givesFlatNormalsToUnsharedVerticesWithoutNormals) {
     GltfBuilder builder;
     const int positions = builder.addPositions({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1});
     // Two faces of a tetrahedron with a common edge.
@@ -61,7 +61,7 @@ TEST(GltfGeometryTest, GivesFlatNormalsToUnsharedVerticesWithoutNormals) {
     EXPECT_THAT(mesh.tangents, SizeIs(6));
 }
 
-TEST(GltfGeometryTest, ReadsStripsAndFansInTheWindingOfTheSpecification) {
+TEST(GltfGeometryTest, readsStripsAndFansInTheWindingOfTheSpecification) {
     for (const int mode : {5, 6}) {
         GltfBuilder builder;
         // Of both the first two triangles face +Z: a zigzag and a circle.
@@ -77,7 +77,7 @@ TEST(GltfGeometryTest, ReadsStripsAndFansInTheWindingOfTheSpecification) {
     }
 }
 
-TEST(GltfGeometryTest, PassesOverPointsAndLinesWithOneWarning) {
+TEST(GltfGeometryTest, passesOverPointsAndLinesWithOneWarning) {
     const WarningLog log;
     GltfBuilder builder;
     builder.addTriangle({{"mode", 0}});
@@ -86,7 +86,7 @@ TEST(GltfGeometryTest, PassesOverPointsAndLinesWithOneWarning) {
     EXPECT_THAT(log.messages, ElementsAre(HasSubstr("points and lines")));
 }
 
-TEST(GltfGeometryTest, ReadsInterleavedAttributes) {
+TEST(GltfGeometryTest, readsInterleavedAttributes) {
     GltfBuilder builder;
     const std::vector<float> values{0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 1};
     std::vector<std::byte> bytes(values.size() * sizeof(float));
@@ -103,7 +103,7 @@ TEST(GltfGeometryTest, ReadsInterleavedAttributes) {
     EXPECT_EQ(scene.meshes[0].normals[2], glm::vec3(0, 0, 1));
 }
 
-TEST(GltfGeometryTest, ReadsQuantizedPositionsAndNormalizedNormals) {
+TEST(GltfGeometryTest, readsQuantizedPositionsAndNormalizedNormals) {
     GltfBuilder builder;
     builder.document["extensionsRequired"] = {"KHR_mesh_quantization"};
     const int positions =
@@ -120,7 +120,7 @@ TEST(GltfGeometryTest, ReadsQuantizedPositionsAndNormalizedNormals) {
                 ElementsAre(glm::vec3(-1, 0, 0), glm::vec3(-1, 0, 0), glm::vec3(1, 0, 0)));
 }
 
-TEST(GltfGeometryTest, ReadsTextureCoordinatesAndColors) {
+TEST(GltfGeometryTest, readsTextureCoordinatesAndColors) {
     GltfBuilder builder;
     const int uv0 = builder.addAccessor(std::vector<std::uint16_t>{0, 65535, 0, 0, 65535, 0},
                                         "VEC2", u16, true);
@@ -135,7 +135,7 @@ TEST(GltfGeometryTest, ReadsTextureCoordinatesAndColors) {
     EXPECT_EQ(mesh.colors[2], glm::vec4(0, 0, 0.5f, 1));
 }
 
-TEST(GltfGeometryTest, ReadsSparseAccessorsWithAndWithoutABase) {
+TEST(GltfGeometryTest, readsSparseAccessorsWithAndWithoutABase) {
     for (const bool hasBase : {true, false}) {
         GltfBuilder builder;
         const int positions = builder.addPositions({5, 5, 5, 6, 6, 6, 7, 7, 7});
@@ -156,7 +156,7 @@ TEST(GltfGeometryTest, ReadsSparseAccessorsWithAndWithoutABase) {
     }
 }
 
-TEST(GltfGeometryTest, ReadsSparseIndicesWithoutABase) {
+TEST(GltfGeometryTest, readsSparseIndicesWithoutABase) {
     GltfBuilder builder;
     const int indices = builder.addAccessor(std::vector<std::uint8_t>{0, 0, 0}, "SCALAR", u8);
     const int places = builder.addAccessor(std::vector<std::uint8_t>{1, 2}, "SCALAR", u8);
@@ -171,7 +171,7 @@ TEST(GltfGeometryTest, ReadsSparseIndicesWithoutABase) {
                 ElementsAre(glm::vec3(0), glm::vec3(1, 0, 0), glm::vec3(0, 1, 0)));
 }
 
-TEST(GltfGeometryTest, ReadsAGlbLikeAGltf) {
+TEST(GltfGeometryTest, readsAGlbLikeAGltf) {
     GltfBuilder builder;
     builder.addTriangle();
     const Scene fromGlb = readBytes("triangle.glb", builder.glb());
@@ -179,17 +179,17 @@ TEST(GltfGeometryTest, ReadsAGlbLikeAGltf) {
     EXPECT_EQ(fromGlb.name, "triangle.glb");
 }
 
-TEST(GltfGeometryTest, ReadsBuffersFromPercentEncodedFiles) {
+TEST(GltfGeometryTest, readsBuffersFromPercentEncodedFiles) {
     GltfBuilder builder;
     builder.addTriangle();
-    std::filesystem::create_directories("GltfGeometryTest.ReadsBuffersFromPercentEncodedFiles");
-    writeBytes("GltfGeometryTest.ReadsBuffersFromPercentEncodedFiles/my data.bin", builder.buffer);
+    std::filesystem::create_directories("GltfGeometryTest.readsBuffersFromPercentEncodedFiles");
+    writeBytes("GltfGeometryTest.readsBuffersFromPercentEncodedFiles/my data.bin", builder.buffer);
     builder.document["buffers"] =
         json::array({{{"byteLength", builder.buffer.size()}, {"uri", "my%20data.bin"}}});
     EXPECT_THAT(builder.read().meshes.at(0).positions, SizeIs(3));
 }
 
-TEST(GltfGeometryTest, MakesNoNanOfDegenerateTriangles) {
+TEST(GltfGeometryTest, makesNoNanOfDegenerateTriangles) {
     GltfBuilder builder;
     const int positions = builder.addPositions({1, 1, 1, 1, 1, 1, 1, 1, 1});
     builder.addMeshNode({{"attributes", {{"POSITION", positions}}}});
@@ -200,7 +200,7 @@ TEST(GltfGeometryTest, MakesNoNanOfDegenerateTriangles) {
     }
 }
 
-TEST(GltfGeometryTest, RepairsNormalsAndTangentsOfNoUse) {
+TEST(GltfGeometryTest, repairsNormalsAndTangentsOfNoUse) {
     const WarningLog log;
     GltfBuilder builder;
     const float nan = std::nanf("");

@@ -46,7 +46,7 @@ double area(const std::vector<glm::vec3>& contour, const glm::vec3& towards) {
     return 0.5 * glm::dot(sum, glm::dvec3(towards));
 }
 
-TEST(AreaLightTest, HasTheDefaultsOfTheExtension) {
+TEST(AreaLightTest, hasTheDefaultsOfTheExtension) {
     const WarningLog log;
     const AreaLight light = withAreaLight({{"type", "rect"}}).read().areaLights.at(0);
     EXPECT_EQ(light.shape, AreaLightShape::rectangle);
@@ -56,7 +56,7 @@ TEST(AreaLightTest, HasTheDefaultsOfTheExtension) {
     EXPECT_THAT(log.messages, ElementsAre(HasSubstr("no \"rect\"")));
 }
 
-TEST(AreaLightTest, ReadsARectangle) {
+TEST(AreaLightTest, readsARectangle) {
     const WarningLog log;
     const AreaLight light = withAreaLight({{"name", "panel"},
                                            {"type", "rect"},
@@ -73,7 +73,7 @@ TEST(AreaLightTest, ReadsARectangle) {
     EXPECT_THAT(log.messages, IsEmpty());
 }
 
-TEST(AreaLightTest, TakesTheLargestWorldScaleAndTheProductOfRotations) {
+TEST(AreaLightTest, takesTheLargestWorldScaleAndTheProductOfRotations) {
     GltfBuilder builder = withAreaLight({{"type", "disk"}, {"size", 0.5}},
                                         {{"scale", {1, -4, 1}}, {"translation", {0, 0, 1}}});
     const float half = std::sqrt(0.5f);
@@ -91,14 +91,14 @@ TEST(AreaLightTest, TakesTheLargestWorldScaleAndTheProductOfRotations) {
     EXPECT_NEAR(glm::determinant(light.worldFromLight), 1.0f, kTolerance);
 }
 
-TEST(AreaLightTest, WarnsOfFieldsOfOlderDrafts) {
+TEST(AreaLightTest, warnsOfFieldsOfOlderDrafts) {
     const WarningLog log;
     withAreaLight({{"type", "disk"}, {"shape", "rect"}, {"luminance", 3}, {"radius", {1}}}).read();
     EXPECT_THAT(log.messages, ElementsAre(HasSubstr("shape is of an older draft"),
                                           HasSubstr("use intensity"), HasSubstr("use size")));
 }
 
-TEST(AreaLightTest, OutlineTurnsCounterClockwiseSeenFromTheEmittingSide) {
+TEST(AreaLightTest, outlineTurnsCounterClockwiseSeenFromTheEmittingSide) {
     AreaLight light;
     light.size = {3, 2};
     light.center = {5, 5, 5};
@@ -113,7 +113,7 @@ TEST(AreaLightTest, OutlineTurnsCounterClockwiseSeenFromTheEmittingSide) {
     }
 }
 
-TEST(PunctualLightTest, ReadsTheThreeKinds) {
+TEST(PunctualLightTest, readsTheThreeKinds) {
     const float half = std::sqrt(0.5f);
     const json node{
         {"rotation", {half, 0, 0, half}}, {"translation", {1, 2, 3}}, {"scale", {2, 2, -3}}};
@@ -144,7 +144,7 @@ TEST(PunctualLightTest, ReadsTheThreeKinds) {
     EXPECT_NEAR(spot.direction.y, -1.0f, kTolerance);
 }
 
-TEST(PunctualLightTest, ClampsConeAnglesWithAWarning) {
+TEST(PunctualLightTest, clampsConeAnglesWithAWarning) {
     const WarningLog log;
     const PunctualLight spot =
         withPunctualLight(
@@ -156,7 +156,7 @@ TEST(PunctualLightTest, ClampsConeAnglesWithAWarning) {
     EXPECT_THAT(log.messages, SizeIs(1));
 }
 
-TEST(MergeTest, AddsLightsAndTheCamerasOfASceneWithout) {
+TEST(MergeTest, addsLightsAndTheCamerasOfASceneWithout) {
     Scene lights;
     lights.areaLights.resize(2);
     lights.punctualLights.resize(1);

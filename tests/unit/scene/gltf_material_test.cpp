@@ -32,7 +32,7 @@ void addTexture(GltfBuilder& builder, const json& sampler) {
     builder.add("textures", {{"source", 0}, {"sampler", 0}});
 }
 
-TEST(GltfMaterialTest, GivesMeshesWithoutOneTheDefault) {
+TEST(GltfMaterialTest, givesMeshesWithoutOneTheDefault) {
     GltfBuilder builder;
     builder.addTriangle();
     const Scene scene = builder.read();
@@ -44,7 +44,7 @@ TEST(GltfMaterialTest, GivesMeshesWithoutOneTheDefault) {
     EXPECT_EQ(material.alphaMode, AlphaMode::opaque);
 }
 
-TEST(GltfMaterialTest, ReadsEveryFactorAndExtension) {
+TEST(GltfMaterialTest, readsEveryFactorAndExtension) {
     const Material material =
         withMaterial({{"name", "all"},
                       {"pbrMetallicRoughness",
@@ -79,7 +79,7 @@ TEST(GltfMaterialTest, ReadsEveryFactorAndExtension) {
               AlphaMode::blend);
 }
 
-TEST(GltfMaterialTest, ClampsFactorsOutOfRangeWithAWarning) {
+TEST(GltfMaterialTest, clampsFactorsOutOfRangeWithAWarning) {
     const WarningLog log;
     const Material material =
         withMaterial({{"pbrMetallicRoughness", {{"metallicFactor", -1}, {"roughnessFactor", 7}}},
@@ -93,7 +93,7 @@ TEST(GltfMaterialTest, ClampsFactorsOutOfRangeWithAWarning) {
                             HasSubstr("\"GLOW\"")));
 }
 
-TEST(GltfMaterialTest, ReadsTexturesOfEverySlotOncePerColorSpace) {
+TEST(GltfMaterialTest, readsTexturesOfEverySlotOncePerColorSpace) {
     GltfBuilder builder = withMaterial(
         {{"pbrMetallicRoughness",
           {{"baseColorTexture", {{"index", 0}}}, {"metallicRoughnessTexture", {{"index", 0}}}}},
@@ -133,9 +133,9 @@ TEST(GltfMaterialTest, ReadsTexturesOfEverySlotOncePerColorSpace) {
                 ElementsAre(255, 0, 0, 0, 255, 0));
 }
 
-TEST(GltfMaterialTest, ReadsImagesOfDataUrisAndFiles) {
+TEST(GltfMaterialTest, readsImagesOfDataUrisAndFiles) {
     const json material{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}};
-    const std::string folder = "GltfMaterialTest.ReadsImagesOfDataUrisAndFiles";
+    const std::string folder = "GltfMaterialTest.readsImagesOfDataUrisAndFiles";
     std::filesystem::create_directories(folder);
     writeBytes(folder + "/a b.png", pngBytes());
     for (const std::string& uri :
@@ -147,7 +147,7 @@ TEST(GltfMaterialTest, ReadsImagesOfDataUrisAndFiles) {
     }
 }
 
-TEST(GltfMaterialTest, DecodesOnlyImagesThatAreUsed) {
+TEST(GltfMaterialTest, decodesOnlyImagesThatAreUsed) {
     GltfBuilder builder = withMaterial(json::object());
     builder.add("materials", {{"emissiveTexture", {{"index", 0}}}});
     builder.add("images", {{"uri", "nowhere.png"}});
@@ -155,7 +155,7 @@ TEST(GltfMaterialTest, DecodesOnlyImagesThatAreUsed) {
     EXPECT_THAT(builder.read().images, IsEmpty());
 }
 
-TEST(GltfMaterialTest, AppliesTextureTransforms) {
+TEST(GltfMaterialTest, appliesTextureTransforms) {
     GltfBuilder builder = withMaterial({{"normalTexture",
                                          {{"index", 0},
                                           {"extensions",

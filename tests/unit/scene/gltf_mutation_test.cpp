@@ -94,7 +94,7 @@ void readAndUse(const std::string& name, const std::vector<std::byte>& bytes) {
     }
 }
 
-TEST(GltfMutationTest, SurvivesDamagedBytes) {
+TEST(GltfMutationTest, survivesDamagedBytes) {
     const std::vector<std::byte> sound = everything().glb();
     ASSERT_EQ(readError("sound.glb", sound), "");
     std::mt19937 random(20260);
@@ -120,7 +120,7 @@ json& anyValue(json& document, std::mt19937& random) {
     return *value;
 }
 
-TEST(GltfMutationTest, SurvivesAlteredJson) {
+TEST(GltfMutationTest, survivesAlteredJson) {
     const GltfBuilder sound = everything();
     const json replacements{nullptr,
                             -1,

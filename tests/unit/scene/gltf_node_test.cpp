@@ -26,7 +26,7 @@ glm::vec3 placed(const Instance& instance, const glm::vec3& point) {
     return glm::vec3(instance.worldFromObject * glm::vec4(point, 1.0f));
 }
 
-TEST(GltfNodeTest, MultipliesTranslationRotationAndScaleDownTheTree) {
+TEST(GltfNodeTest, multipliesTranslationRotationAndScaleDownTheTree) {
     GltfBuilder builder;
     const float half = std::sqrt(0.5f);
     builder.addTriangle({}, {{"translation", {1, 0, 0}}, {"scale", {2, 3, -4}}});
@@ -39,13 +39,13 @@ TEST(GltfNodeTest, MultipliesTranslationRotationAndScaleDownTheTree) {
     EXPECT_LT(glm::determinant(glm::mat3(scene.instances[0].worldFromObject)), 0.0f);
 }
 
-TEST(GltfNodeTest, ReadsMatricesByColumns) {
+TEST(GltfNodeTest, readsMatricesByColumns) {
     GltfBuilder builder;
     builder.addTriangle({}, {{"matrix", {0, 2, 0, 0, -2, 0, 0, 0, 0, 0, 2, 0, 5, 6, 7, 1}}});
     expectNear(placed(builder.read().instances.at(0), {1, 0, 0}), {5, 8, 7});
 }
 
-TEST(GltfNodeTest, SharesAMeshBetweenNodes) {
+TEST(GltfNodeTest, sharesAMeshBetweenNodes) {
     GltfBuilder builder;
     builder.addTriangle();
     builder.addNode({{"mesh", 0}, {"translation", {0, 5, 0}}});
@@ -56,7 +56,7 @@ TEST(GltfNodeTest, SharesAMeshBetweenNodes) {
     EXPECT_EQ(scene.bounds().minimum, glm::vec3(0, 0, 0));
 }
 
-TEST(GltfNodeTest, ShowsTheDefaultSceneOnly) {
+TEST(GltfNodeTest, showsTheDefaultSceneOnly) {
     GltfBuilder builder;
     builder.addTriangle();
     builder.addTriangle({}, {{"name", "other"}});
@@ -70,7 +70,7 @@ TEST(GltfNodeTest, ShowsTheDefaultSceneOnly) {
     EXPECT_THAT(builder.read().instances, SizeIs(2));
 }
 
-TEST(GltfNodeTest, ReadsADeepTree) {
+TEST(GltfNodeTest, readsADeepTree) {
     GltfBuilder builder;
     builder.addTriangle();
     const int depth = 20000;
@@ -81,15 +81,23 @@ TEST(GltfNodeTest, ReadsADeepTree) {
     EXPECT_EQ(builder.read().bounds().minimum.x, static_cast<float>(depth));
 }
 
-TEST(GltfNodeTest, LeavesOutMeshesThatAreScaledFlat) {
+TEST(GltfNodeTest, keepsMeshesThatAreScaledFlat) {
     const WarningLog log;
     GltfBuilder builder;
     builder.addTriangle({}, {{"scale", {1, 0, 1}}});
+    EXPECT_THAT(builder.read().instances, SizeIs(1));
+    EXPECT_TRUE(log.messages.empty());
+}
+
+TEST(GltfNodeTest, leavesOutMeshesThatAreScaledToALine) {
+    const WarningLog log;
+    GltfBuilder builder;
+    builder.addTriangle({}, {{"scale", {1, 0, 0}}});
     EXPECT_TRUE(builder.read().instances.empty());
     EXPECT_THAT(log.messages, SizeIs(1));
 }
 
-TEST(GltfNodeTest, ReadsCamerasWithoutTheScaleOfTheirNodes) {
+TEST(GltfNodeTest, readsCamerasWithoutTheScaleOfTheirNodes) {
     GltfBuilder builder;
     builder.add("cameras",
                 {{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 0.25}}}});
@@ -133,7 +141,7 @@ GltfBuilder morphedTriangle(json node) {
     return builder;
 }
 
-TEST(GltfNodeTest, AppliesMorphTargetsByTheMeshsWeightsUnlessTheNodeHasItsOwn) {
+TEST(GltfNodeTest, appliesMorphTargetsByTheMeshsWeightsUnlessTheNodeHasItsOwn) {
     GltfBuilder builder = morphedTriangle({});
     EXPECT_EQ(builder.read().meshes.at(0).positions[2], glm::vec3(0, 1, 0));
     builder.document["meshes"][0]["weights"] = {0.5};
@@ -168,7 +176,7 @@ GltfBuilder skinnedTriangle() {
     return builder;
 }
 
-TEST(GltfNodeTest, BakesSkinsInTheirPoseToWorldSpace) {
+TEST(GltfNodeTest, bakesSkinsInTheirPoseToWorldSpace) {
     const Scene scene = skinnedTriangle().read();
     const Mesh& mesh = scene.meshes.at(0);
     expectNear(mesh.positions[0], {0, 0, 1});
@@ -180,7 +188,7 @@ TEST(GltfNodeTest, BakesSkinsInTheirPoseToWorldSpace) {
     expectNear(mesh.normals[1], {0, 0, 1});
 }
 
-TEST(GltfNodeTest, TurnsTrianglesThatJointsMirror) {
+TEST(GltfNodeTest, turnsTrianglesThatJointsMirror) {
     GltfBuilder builder = skinnedTriangle();
     for (const int joint : {1, 2}) builder.document["nodes"][joint]["scale"] = {-1, 1, 1};
     const Mesh mesh = builder.read().meshes.at(0);

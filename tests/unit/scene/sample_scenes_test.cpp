@@ -20,7 +20,7 @@ const std::filesystem::path kScenes = std::filesystem::path(POLYLUME_SOURCE_DIR)
 
 class SampleSceneTest : public testing::TestWithParam<const char*> {};
 
-TEST_P(SampleSceneTest, ReadsWithoutAWarning) {
+TEST_P(SampleSceneTest, readsWithoutAWarning) {
     const WarningLog log;
     const Scene scene = readGltf(kScenes / (std::string(GetParam()) + ".glb"));
     EXPECT_TRUE(log.messages.empty()) << log.messages.front();
@@ -44,7 +44,7 @@ TEST_P(SampleSceneTest, ReadsWithoutAWarning) {
 
 INSTANTIATE_TEST_SUITE_P(All, SampleSceneTest, testing::Values("gallery", "studio", "cornell"));
 
-TEST(SampleGeneratorTest, MakesTheSameBytes) {
+TEST(SampleGeneratorTest, makesTheSameBytes) {
     const std::filesystem::path folder = "SampleGeneratorTest";
     const std::string command =
         "python3 '" + (kScenes / "generate.py").string() + "' " + folder.string() + " > /dev/null";
@@ -55,7 +55,7 @@ TEST(SampleGeneratorTest, MakesTheSameBytes) {
     }
 }
 
-TEST(FlightHelmetTest, ReadsWithTangentsLikeItsOwn) {
+TEST(FlightHelmetTest, readsWithTangentsLikeItsOwn) {
     const char* assets = std::getenv("POLYLUME_ASSETS");
     if (!assets) GTEST_SKIP() << "set POLYLUME_ASSETS to the folder that holds FlightHelmet";
     const WarningLog log;

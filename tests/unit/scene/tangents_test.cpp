@@ -26,14 +26,14 @@ void expectTangent(const glm::vec4& found, const glm::vec4& expected) {
     for (int i = 0; i < 4; ++i) EXPECT_NEAR(found[i], expected[i], kTolerance) << "at " << i;
 }
 
-TEST(TangentsTest, PointAlongUWithTheImageUpAlongTheBitangent) {
+TEST(TangentsTest, pointAlongUWithTheImageUpAlongTheBitangent) {
     Mesh mesh = square();
     makeTangents(mesh, 0);
     // cross(n, t) * w is +y: up in the image, where a normal map's green points.
     for (const glm::vec4& tangent : mesh.tangents) expectTangent(tangent, {1, 0, 0, 1});
 }
 
-TEST(TangentsTest, TurnWithTheTextureCoordinatesAndTheirSet) {
+TEST(TangentsTest, turnWithTheTextureCoordinatesAndTheirSet) {
     Mesh mesh = square();
     mesh.texCoords[1] = {{0, 0}, {0, 1}, {1, 1}, {1, 0}};
     makeTangents(mesh, 1);
@@ -41,14 +41,14 @@ TEST(TangentsTest, TurnWithTheTextureCoordinatesAndTheirSet) {
     for (const glm::vec4& tangent : mesh.tangents) expectTangent(tangent, {0, 1, 0, 1});
 }
 
-TEST(TangentsTest, AreMirroredWithTheImage) {
+TEST(TangentsTest, areMirroredWithTheImage) {
     Mesh mesh = square();
     for (glm::vec2& uv : mesh.texCoords[0]) uv.x = 1 - uv.x;
     makeTangents(mesh, 0);
     for (const glm::vec4& tangent : mesh.tangents) expectTangent(tangent, {-1, 0, 0, -1});
 }
 
-TEST(TangentsTest, SplitVerticesBetweenMirroredHalves) {
+TEST(TangentsTest, splitVerticesBetweenMirroredHalves) {
     // Two squares that meet at x = 1, where u turns back.
     Mesh mesh = square();
     mesh.positions.insert(mesh.positions.end(), {{2, 0, 0}, {2, 1, 0}});
@@ -65,7 +65,7 @@ TEST(TangentsTest, SplitVerticesBetweenMirroredHalves) {
     }
 }
 
-TEST(TangentsTest, AgreeForEqualVerticesThatAreNotShared) {
+TEST(TangentsTest, agreeForEqualVerticesThatAreNotShared) {
     Mesh shared = square();
     // Out of the plane, so that the two triangles differ.
     shared.positions[3].z = 0.7f;
@@ -84,7 +84,7 @@ TEST(TangentsTest, AgreeForEqualVerticesThatAreNotShared) {
     }
 }
 
-TEST(TangentsTest, AreAnyPerpendicularWithoutUsableTextureCoordinates) {
+TEST(TangentsTest, areAnyPerpendicularWithoutUsableTextureCoordinates) {
     Mesh mesh = square();
     mesh.texCoords[0].assign(4, glm::vec2(0.5f));
     makeTangents(mesh, 0);
@@ -95,7 +95,7 @@ TEST(TangentsTest, AreAnyPerpendicularWithoutUsableTextureCoordinates) {
     }
 }
 
-TEST(TangentsTest, PerpendicularIsOneForAnyDirection) {
+TEST(TangentsTest, perpendicularIsOneForAnyDirection) {
     for (int i = 0; i < 1000; ++i) {
         const float polar = 0.00314f * static_cast<float>(i),
                     azimuth = 0.7f * static_cast<float>(i);
