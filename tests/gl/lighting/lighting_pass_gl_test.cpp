@@ -116,8 +116,8 @@ TEST_P(LightingPassTest, smootherThanTheGuaranteeStaysClose) {
     const double at0 = largestError(light, 0.0f, Lobes::specular);
     RecordProperty("error at r = 0.02", std::to_string(at002));
     RecordProperty("error at r = 0", std::to_string(at0));
-    EXPECT_LT(at002, 5e-4);
-    EXPECT_LT(at0, 1e-3);
+    EXPECT_LT(at002, 1e-4);
+    EXPECT_LT(at0, 2.5e-4);
 }
 
 TEST_P(LightingPassTest, lightThroughTheSurfaceIsClippedAtIt) {
