@@ -3,6 +3,7 @@
 
 #include "render/emitter_pass.hpp"
 
+#include "gl/lighting/shading_harness.hpp"
 #include "render/camera_projection.hpp"
 #include "render_fixture.hpp"
 
@@ -231,6 +232,30 @@ TEST_P(EmitterTest, aHoleShowsWhatIsBehind) {
             ASSERT_NEAR(pixel.distance, lit ? 5.0f : 5.5f, 1e-5f);
             ASSERT_EQ(pixel.diffuseAlbedo.x > 0.0f, !lit);
         }
+    }
+}
+
+TEST_P(EmitterTest, extraLightsAreSeenAndLight) {
+    // Faces the surface behind it; being two-sided it is seen as well, and through its hole so is
+    // what it lights.
+    PolygonLight light;
+    light.contours = {
+        {{-0.75f, -0.75f, 0}, {-0.75f, 0.75f, 0}, {0.75f, 0.75f, 0}, {0.75f, -0.75f, 0}},
+        {{-0.25f, -0.25f, 0}, {0.25f, -0.25f, 0}, {0.25f, 0.25f, 0}, {-0.25f, 0.25f, 0}}};
+    light.radiance = kNits;
+    light.twoSided = true;
+    RenderOptions options = makeOptions();
+    options.extraLights.polygons = {light};
+    const scene::Scene scene = test::makeLambertScene(test::makeQuad(1.0f, -0.5f), glm::vec3(0.5f));
+    const Frame frame = draw(scene, options);
+    const std::size_t center = kSize / 2 * kSize + kSize / 2;
+    const std::size_t onLight = kSize / 2 * kSize + kSize / 2 + kSize / 4;
+    EXPECT_EQ(frame.radiance[onLight], glm::vec4(kNits, 1.0f));
+    const double factor = test::shadeInDouble(frame.gbuffer[center], light, table()).diffuse;
+    ASSERT_GT(factor, 0.1);
+    for (int c = 0; c < 3; ++c) {
+        const double expected = frame.gbuffer[center].diffuseAlbedo[c] * factor * kNits[c];
+        EXPECT_NEAR(frame.radiance[center][c], expected, 1e-4 * expected);
     }
 }
 
