@@ -17,7 +17,7 @@ void PhaseLog::finish(std::string_view phase) {
     log(LogLevel::debug,
         fmt::format("{}: {:.0f} ms, peak memory {} MB", phase,
                     std::chrono::duration<double, std::milli>(now - begin_).count(),
-                    usage.ru_maxrss / 1000));
+                    usage.ru_maxrss * 1024 / 1'000'000));
     begin_ = now;
 }
 
