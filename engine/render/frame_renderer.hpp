@@ -49,8 +49,8 @@ class FrameRenderer {
     gl::Framebuffer sumTarget_;
     gl::Program accumulateProgram_;
     gl::VertexArray noVertices_;
+    shared::CameraData cameraData_{};  ///< Before the block, which is made from it.
     gl::Buffer cameraBlock_;
-    shared::CameraData cameraData_{};
     GeometryPass geometry_;
     EmitterPass emitters_;
     BlendPass blend_;
