@@ -56,8 +56,7 @@ Texture::Texture(const Functions& gl, GLenum format, glm::ivec2 size, int levelC
     : handle_(gl, createName([&](GLsizei count, GLuint* names) {
                   gl.CreateTextures(GL_TEXTURE_2D, count, names);
               })),
-      size_(size),
-      format_(format) {
+      size_(size) {
     gl.TextureStorage2D(name(), levelCount, format, size.x, size.y);
     gl.ObjectLabel(GL_TEXTURE, name(), -1, label);
     // Render targets and tables are read texel by texel; material textures get a sampler object.

@@ -59,13 +59,11 @@ class Texture {
 
     GLuint name() const { return handle_.name(); }
     glm::ivec2 size() const { return size_; }
-    GLenum format() const { return format_; }
 
   private:
     static void destroy(const Functions& gl, GLuint name) { gl.DeleteTextures(1, &name); }
     Handle<&Texture::destroy> handle_;
     glm::ivec2 size_{0};
-    GLenum format_ = GL_NONE;
 };
 
 /// How a texture is filtered and wrapped.
