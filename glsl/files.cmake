@@ -3,9 +3,17 @@
 
 # Every shader file, relative to glsl/: what the library carries.
 set(POLYLUME_GLSL_FILES
+    brdf/angles.glsl
+    brdf/beckmann.glsl
+    brdf/burley.glsl
+    brdf/charlie.glsl
+    brdf/ggx.glsl
+    brdf/oren_nayar.glsl
+    lighting/area.glsl
     lighting/light.glsl
     lighting/punctual.glsl
     lighting/shade.glsl
+    lighting/sheen.glsl
     ltc/edge.glsl
     ltc/frame.glsl
     ltc/lobe.glsl

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brdf/hemisphere.hpp"
 #include "brdf/quadrature.hpp"
 
 namespace polylume::brdf {
@@ -32,13 +33,11 @@ std::vector<HemispherePoint> Brdf::quadrature(const glm::dvec3& view, double rou
 Reflectance Brdf::reflectance(double roughness, double cosThetaView) const {
     constexpr int kResolution = 256;
     const glm::dvec3 view = viewDirection(cosThetaView);
-    Reflectance sum;
-    for (const HemispherePoint& point : quadrature(view, roughness, kResolution)) {
-        const double value = evaluate(view, point.direction, roughness) * point.solidAngle;
-        sum.albedo += value;
-        sum.fresnel += value * fresnelWeight(view, point.direction);
-    }
-    return sum;
+    return sumReflectance(*this, view, roughness, quadrature(view, roughness, kResolution));
+}
+
+glm::dvec3 Brdf::albedoColor(double roughness, double cosThetaView) const {
+    return glm::dvec3(reflectance(roughness, cosThetaView).albedo);
 }
 
 glm::dvec3 viewDirection(double cosThetaView) {

@@ -23,7 +23,7 @@ struct Reflectance {
 
 /// An isotropic BRDF over perceptual roughness r in [0, 1], with a Fresnel term of 1, in the
 /// shading frame (z = normal). All directions are unit and point away from the surface. To add one,
-/// derive from this class and implement the first five functions; the rest works through them.
+/// derive from this class and implement the five pure functions; the rest works through them.
 class Brdf {
   public:
     Brdf() = default;
@@ -34,8 +34,18 @@ class Brdf {
     /// What tables and the command call it: lower case, no spaces.
     virtual std::string_view name() const = 0;
 
-    /// The least alpha that is used, however small the roughness. Above 0.
+    /// The least alpha that is used, however small the roughness; 0 for a BRDF without an alpha.
     virtual double alphaFloor() const = 0;
+
+    /// Whether narrow lobes follow the mirror direction. A table of such a BRDF stores its lobes
+    /// relative to that direction, any other relative to halfway between it and the normal.
+    virtual bool followsMirror() const { return false; }
+
+    /// Whether it changes with the roughness. One that does not gives a table of a single column.
+    virtual bool hasRoughness() const { return true; }
+
+    /// Whether albedoColor() has a colour of its own.
+    virtual bool hasColor() const { return false; }
 
     /// f(view, light) * cos(theta_light), per steradian; 0 where either is not above the surface.
     virtual double evaluate(const glm::dvec3& view, const glm::dvec3& light,
@@ -60,6 +70,10 @@ class Brdf {
     /// Albedo and Fresnel-weighted albedo for a view at `cosThetaView` in (0, 1], by a
     /// deterministic rule. The default sums a fine quadrature().
     virtual Reflectance reflectance(double roughness, double cosThetaView) const;
+
+    /// The albedo of linear Rec. 709 red, green and blue; evaluate() and reflectance() are then of
+    /// their luminance. The default is grey.
+    virtual glm::dvec3 albedoColor(double roughness, double cosThetaView) const;
 };
 
 /// The view direction in the xz plane at `cosThetaView`, clamped to [kMinCosThetaView, 1].

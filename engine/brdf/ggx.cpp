@@ -8,61 +8,12 @@
 #include <numbers>
 
 #include "brdf/quadrature.hpp"
+#include "brdf/reflection_domain.hpp"
 
 namespace polylume::brdf {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-/// The half vectors that reflect one view direction to above the surface, as a region that can be
-/// integrated over exactly. Stretching h by 1/alpha makes the distribution of normals uniform; the
-/// stretched normal N = (cos b sin p, sin b, cos b cos p) is measured by its latitude b about the y
-/// axis and by its angle p in the plane of view. For one b, light.z >= 0 is then an interval of p:
-///   light.z ~ 2 (v.q) q.z - v.z |q|^2 with q = (alpha N.x, alpha N.y, N.z)
-///           = cos^2 b (R cos(2 p - delta) + K(b)).
-class ReflectionDomain {
-  public:
-    ReflectionDomain(const glm::dvec3& view, double alpha) : view_(view), alpha_(alpha) {
-        const double sine = alpha * view.x;
-        const double cosine = 0.5 * view.z * (1.0 + alpha * alpha);
-        amplitude_ = std::hypot(sine, cosine);
-        phase_ = std::atan2(sine, cosine);
-        level_ = 0.5 * view.z * (1.0 - alpha * alpha);
-        maxLatitude_ = std::atan(std::sqrt((amplitude_ + level_) / view.z) / alpha);
-    }
-
-    /// The point at (u, v) in [0, 1]^2; the weight is steradians per unit of u and v, both signs of
-    /// y.
-    HemispherePoint point(double u, double v) const {
-        // The interval of p shrinks as a square root at the end of b: b is quadratic in u there.
-        const double latitude = maxLatitude_ * u * (2.0 - u);
-        const double latitudeRate = 2.0 * maxLatitude_ * (1.0 - u);
-        const double tangent = alpha_ * std::tan(latitude);
-        const double level = level_ - view_.z * tangent * tangent;
-        const double halfWidth = 0.5 * std::acos(std::clamp(-level / amplitude_, -1.0, 1.0));
-        const double angle = 0.5 * phase_ + halfWidth * (2.0 * v - 1.0);
-        const double cosLatitude = std::cos(latitude);
-        const glm::dvec3 stretched(alpha_ * cosLatitude * std::sin(angle),
-                                   alpha_ * std::sin(latitude), cosLatitude * std::cos(angle));
-        const double length = glm::length(stretched);
-        const glm::dvec3 half = stretched / length;
-        const double viewDotHalf = glm::dot(view_, half);
-        glm::dvec3 light = 2.0 * viewDotHalf * half - view_;
-        light.z = std::max(light.z, 1e-12);  // Rounding at the very edge.
-        // d light = 4 (v.h) d h; d h = alpha^2 / |q|^3 d N; d N = cos b d b d p.
-        const double halfRate = alpha_ * alpha_ / (length * length * length);
-        const double area = cosLatitude * latitudeRate * 2.0 * halfWidth;
-        return {light, 2.0 * 4.0 * std::max(viewDotHalf, 0.0) * halfRate * area};
-    }
-
-  private:
-    glm::dvec3 view_;
-    double alpha_;
-    double amplitude_;  // R
-    double phase_;      // delta
-    double level_;      // K(0)
-    double maxLatitude_;
-};
 
 }  // namespace
 
@@ -127,20 +78,7 @@ double Ggx::density(const glm::dvec3& view, const glm::dvec3& light, double roug
 
 std::vector<HemispherePoint> Ggx::quadrature(const glm::dvec3& view, double roughness,
                                              int resolution) const {
-    const ReflectionDomain domain(view, ggxAlpha(roughness));
-    // Half a turn of latitude needs half as many nodes.
-    const std::vector<QuadratureNode> us = gaussLegendre(std::max(1, resolution / 2));
-    const std::vector<QuadratureNode> vs = gaussLegendre(resolution);
-    std::vector<HemispherePoint> points;
-    points.reserve(us.size() * vs.size());
-    for (const QuadratureNode& u : us) {
-        for (const QuadratureNode& v : vs) {
-            HemispherePoint point = domain.point(u.position, v.position);
-            point.solidAngle *= u.weight * v.weight;
-            points.push_back(point);
-        }
-    }
-    return points;
+    return ReflectionDomain(view, ggxAlpha(roughness)).gaussRule(resolution);
 }
 
 Reflectance Ggx::reflectance(double roughness, double cosThetaView) const {

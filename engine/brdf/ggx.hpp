@@ -17,6 +17,7 @@ class Ggx : public Brdf {
 
     std::string_view name() const override { return "ggx"; }
     double alphaFloor() const override { return kAlphaFloor; }
+    bool followsMirror() const override { return true; }
     double evaluate(const glm::dvec3& view, const glm::dvec3& light,
                     double roughness) const override;
     glm::dvec3 sample(const glm::dvec3& view, double roughness,

@@ -3,6 +3,7 @@
 
 #include "brdf/quadrature.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -33,6 +34,16 @@ std::vector<QuadratureNode> gaussLegendre(int count) {
     return rule;
 }
 
+std::vector<QuadratureNode> crowdedGaussLegendre(int count) {
+    std::vector<QuadratureNode> rule = gaussLegendre(count);
+    for (QuadratureNode& node : rule) {
+        const double s = node.position;
+        node.position = s * s * (3.0 - 2.0 * s);
+        node.weight *= 6.0 * s * (1.0 - s);
+    }
+    return rule;
+}
+
 std::vector<QuadratureNode> tanhSinh(int count) {
     // Beyond this the weights are below 1e-12.
     constexpr double kRange = 3.0;
@@ -47,6 +58,21 @@ std::vector<QuadratureNode> tanhSinh(int count) {
         rule[i] = {position, step * 0.25 * std::numbers::pi * std::cosh(t) / (outer * outer)};
     }
     return rule;
+}
+
+std::vector<QuadratureNode> spreadBetween(std::vector<QuadratureNode> (*rule)(int), int count,
+                                          std::initializer_list<double> breaks) {
+    const double range = *(breaks.end() - 1) - *breaks.begin();
+    std::vector<QuadratureNode> nodes;
+    for (const double* low = breaks.begin(); low + 1 < breaks.end(); ++low) {
+        if (!(low[1] > low[0])) continue;
+        const int share = static_cast<int>(std::lround(count * (low[1] - low[0]) / range));
+        for (const QuadratureNode& node : rule(std::max({1, count / 8, share}))) {
+            nodes.push_back(
+                {low[0] + (low[1] - low[0]) * node.position, (low[1] - low[0]) * node.weight});
+        }
+    }
+    return nodes;
 }
 
 }  // namespace polylume::brdf

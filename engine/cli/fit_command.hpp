@@ -6,12 +6,14 @@
 #include <filesystem>
 #include <string>
 
+#include "fit/fit_table.hpp"
+
 namespace polylume::cli {
 
 struct FitCommand {
-    std::string brdf = "ggx";
+    std::string brdf = "ggx";      ///< As brdf::makeBrdf() takes it.
     std::filesystem::path output;  ///< .exr; the raw form goes beside it.
-    int threadCount = 0;           ///< 0: one a core.
+    fit::FitOptions options;
 };
 
 /// Fits a table and writes it. Throws Error.

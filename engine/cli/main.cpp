@@ -5,9 +5,12 @@
 
 #include <cstdlib>
 #include <exception>
+#include <functional>
 
+#include "cli/fit_options.hpp"
 #include "cli/info_command.hpp"
 #include "cli/options.hpp"
+#include "cli/table_options.hpp"
 #include "cli/terminal.hpp"
 #include "cli/version.hpp"
 
@@ -35,6 +38,8 @@ int runMain(int argc, char** argv) {
     const CLI::App* infoApp =
         app.add_subcommand("info", "List the OpenGL contexts that can be had here");
     const CLI::App* fitApp = addFitCommand(app, fit);
+    std::function<void()> tableWork;
+    addTableCommand(app, tableWork);
     try {
         app.parse(argc, argv);
         // Not by require_subcommand(1), which would hide what was found in its place.
@@ -48,6 +53,7 @@ int runMain(int argc, char** argv) {
         if (renderApp->parsed()) run(render);
         if (fitApp->parsed()) run(fit);
         if (infoApp->parsed()) runInfo();
+        if (tableWork) tableWork();
     } catch (const std::exception& error) {
         fmt::print(stderr, "polylume: error: {}\n", error.what());
         return kFailed;

@@ -5,30 +5,11 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <map>
-
+#include "cli/flags.hpp"
 #include "render/gbuffer_readback.hpp"
 
 namespace polylume::cli {
 namespace {
-
-template <typename Number>
-std::optional<Number> parseNumber(std::string_view text) {
-    Number number{};
-    const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (result.ec != std::errc() || result.ptr != text.data() + text.size()) return std::nullopt;
-    if constexpr (std::is_floating_point_v<Number>) {
-        if (!std::isfinite(number)) return std::nullopt;
-    }
-    return number;
-}
-
-/// CLI11 takes a callback's message by an exception of its own.
-[[noreturn]] void reject(std::string_view flag, std::string_view expected, std::string_view found) {
-    throw CLI::ValidationError(std::string(flag),
-                               fmt::format("expected {}, found \"{}\"", expected, found));
-}
 
 glm::ivec2 parseSize(const std::string& text) {
     const std::size_t x = text.find('x');
@@ -73,30 +54,6 @@ std::vector<std::string> parseAovs(const std::string& text) {
         if (std::ranges::count(names, name) > 1) reject("--aov", "each name once", text);
     }
     return names;
-}
-
-/// A flag whose text goes through `parse` into `target`.
-template <typename Target, typename Parse>
-CLI::Option* addParsed(CLI::App& app, const std::string& flag, Target& target, Parse parse,
-                       const std::string& description) {
-    return app.add_option_function<std::string>(
-        flag, [&target, parse](const std::string& text) { target = parse(text); }, description);
-}
-
-/// A flag that takes one of the names in `values`.
-template <typename Value>
-CLI::Option* addChoice(CLI::App& app, const std::string& flag, Value& target,
-                       const std::vector<std::pair<std::string, Value>>& values,
-                       const std::string& description) {
-    std::string names;
-    for (const auto& [name, value] : values) names += (names.empty() ? "" : "|") + name;
-    const auto parse = [flag, values, names](const std::string& text) {
-        for (const auto& [name, value] : values) {
-            if (name == text) return value;
-        }
-        reject(flag, names, text);
-    };
-    return addParsed(app, flag, target, parse, description)->option_text(names);
 }
 
 /// Bad usage that only two flags together show.
@@ -158,8 +115,22 @@ CLI::App* addRenderCommand(CLI::App& app, RenderCommand& command) {
         *render, "--lobes", command.options.lobes,
         {{"diffuse", Lobes::diffuse}, {"specular", Lobes::specular}, {"all", Lobes::all}},
         "Show one part of the reflection alone, without emission; default all");
+    addChoice<Specular>(*render, "--specular", command.options.model.specular,
+                        {{"ggx", Specular::ggx}, {"beckmann", Specular::beckmann}},
+                        "Specular reflection; default ggx");
+    addChoice<Diffuse>(*render, "--diffuse", command.options.model.diffuse,
+                       {{"lambert", Diffuse::lambert},
+                        {"burley", Diffuse::burley},
+                        {"oren-nayar", Diffuse::orenNayar}},
+                       "Diffuse reflection; default lambert");
+    const CLI::Option* quality =
+        addChoice<Quality>(*render, "--quality", command.options.model.quality,
+                           {{"standard", Quality::standard}, {"high", Quality::high}},
+                           "One or two lobes for the specular reflection; default standard");
     render
-        ->add_option("--table", command.table, "LTC table, .exr or .f32; default the built-in GGX")
+        ->add_option("--table", command.table,
+                     "LTC table for the specular reflection of area lights, .exr or .f32; default "
+                     "a built-in one")
         ->option_text("FILE");
     render
         ->add_option("--lights", command.lights,
@@ -179,30 +150,15 @@ CLI::App* addRenderCommand(CLI::App& app, RenderCommand& command) {
         ->add_option("--glsl-dir", command.glslDir,
                      "Read shaders from this folder where it has them")
         ->option_text("DIR");
-    render->final_callback([&command] { checkTogether(command); });
-    return render;
-}
-
-CLI::App* addFitCommand(CLI::App& app, FitCommand& command) {
-    CLI::App* fit = app.add_subcommand("fit", "Fit an LTC table to a BRDF");
-    fit->footer(
-        "Example:\n"
-        "  polylume fit --brdf ggx -o ggx.exr\n"
-        "\n"
-        "Writes the table as OpenEXR and, beside it, as raw float32 (.f32); see tables/README.md.");
-    fit->add_option("--brdf", command.brdf, "BRDF to fit: ggx")->required()->option_text("NAME");
-    fit->add_option("-o,--output", command.output, "Table to write: .exr")
-        ->required()
-        ->option_text("FILE");
-    fit->add_option("--threads", command.threadCount, "Most threads to use; default one a core")
-        ->check(CLI::Range(0, 1024))
-        ->option_text("N");
-    fit->final_callback([&command] {
-        if (command.output.extension() != ".exr") {
-            reject("--output", "a file name that ends in .exr", command.output.string());
+    render->final_callback([&command, quality] {
+        checkTogether(command);
+        if (!command.table.empty() && quality->count() > 0) {
+            reject("--quality",
+                   "no --quality beside --table, whose file has one lobe or two; leave one out",
+                   quality->results().back());
         }
     });
-    return fit;
+    return render;
 }
 
 }  // namespace polylume::cli

@@ -5,7 +5,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/fit_command.hpp"
 #include "cli/render_command.hpp"
 
 namespace polylume::cli {
@@ -13,8 +12,5 @@ namespace polylume::cli {
 /// Adds `polylume render` with all its flags to `app`; parsing fills `command`, which outlives
 /// `app`.
 CLI::App* addRenderCommand(CLI::App& app, RenderCommand& command);
-
-/// The same for `polylume fit`.
-CLI::App* addFitCommand(CLI::App& app, FitCommand& command);
 
 }  // namespace polylume::cli

@@ -13,7 +13,7 @@
 #include "cli/version.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
-#include "fit/table_file.hpp"
+#include "tables/table_file.hpp"
 #include "image/image_io.hpp"
 #include "scene/default_lighting.hpp"
 #include "scene/framing.hpp"
@@ -70,9 +70,24 @@ void completeScene(scene::Scene& scene, const RenderCommand& command) {
     }
 }
 
-ImageMetadata describe(const RenderCommand& command, const scene::Scene& scene,
-                       const scene::Camera& camera, const ContextInfo& context,
-                       const ltc::Table& table) {
+std::string nameOf(Specular specular) {
+    return specular == Specular::beckmann ? "beckmann" : "ggx";
+}
+
+std::string nameOf(Diffuse diffuse) {
+    switch (diffuse) {
+        case Diffuse::burley:
+            return "burley";
+        case Diffuse::orenNayar:
+            return "oren-nayar";
+        default:
+            return "lambert";
+    }
+}
+
+ImageMetadata describe(const RenderCommand& command, const RenderOptions& options,
+                       const scene::Scene& scene, const scene::Camera& camera,
+                       const ContextInfo& context) {
     ImageMetadata metadata;
     metadata["Software"] = fmt::format("Polylume {}", kVersion);
     metadata["polylume:scene"] = scene.name;
@@ -81,11 +96,15 @@ ImageMetadata describe(const RenderCommand& command, const scene::Scene& scene,
     metadata["polylume:renderer"] = context.renderer;
     metadata["polylume:glVersion"] = context.version;
     metadata["polylume:samples"] = command.options.sampleCount;
-    const auto brdf = table.attributes().find("brdf");
-    metadata["polylume:table"] =
-        command.table.empty()
-            ? std::string("built-in ") + (brdf == table.attributes().end() ? "" : brdf->second)
-            : command.table.filename().string();
+    const LightingModel& model = options.model;
+    metadata["polylume:table"] = command.table.empty()
+                                     ? fmt::format("built-in {}", nameOf(model.specular))
+                                     : command.table.filename().string();
+    metadata["polylume:lobes"] = model.quality == Quality::high ? 2 : 1;
+    if (options.specularTable) {
+        metadata["polylume:lobes"] = options.specularTable->layout().lobeCount;
+    }
+    metadata["polylume:diffuse"] = nameOf(model.diffuse);
     return metadata;
 }
 
@@ -131,13 +150,12 @@ void run(const RenderCommand& command) {
     completeScene(scene, command);
     const scene::Camera& camera = chooseCamera(scene, command.camera);
     const gl::ShaderLibrary library(command.glslDir);
-    const ltc::Table table =
-        command.table.empty() ? ltc::Table::builtinGgx() : fit::readTable(command.table);
+    RenderOptions options = command.options;
+    if (!command.table.empty()) options.specularTable = tables::readTable(command.table);
     ProgressBar progress("rendering");
-    RenderedImage rendered =
-        renderScene(*context, library, table, scene, camera, command.options, progress);
+    RenderedImage rendered = renderScene(*context, library, scene, camera, options, progress);
     phases.finish("rendering");
-    writePicture(command, rendered, describe(command, scene, camera, context->info(), table));
+    writePicture(command, rendered, describe(command, options, scene, camera, context->info()));
     phases.finish("writing");
     log(LogLevel::info, fmt::format("wrote {}", command.output.string()));
 }

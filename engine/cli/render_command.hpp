@@ -20,7 +20,7 @@ struct RenderCommand {
     std::string camera;              ///< Name or index; empty: the first.
     std::optional<double> exposure;  ///< EV; none: automatic.
     ToneMap toneMap = ToneMap::aces;
-    std::filesystem::path table;   ///< Empty: the built-in one.
+    std::filesystem::path table;   ///< Specular table; empty: the built-in one.
     std::filesystem::path lights;  ///< Empty: the scene's own.
     std::optional<std::filesystem::path> glslDir;
     RenderOptions options;

@@ -18,7 +18,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "fit/column_fit.hpp"
+#include "fit/grid_fit.hpp"
 #include "fit/score_table.hpp"
 
 namespace polylume::fit {
@@ -48,52 +48,72 @@ std::string toText(double value, const char* format) {
     return text;
 }
 
-std::map<std::string, std::string> makeAttributes(const brdf::Brdf& brdf) {
-    std::map<std::string, std::string> attributes = ltc::Table::formatAttributes();
+GridPlan planOf(const brdf::Brdf& brdf, const FitOptions& options) {
+    GridPlan plan;
+    const bool viewOnly = options.viewOnly || !brdf.hasRoughness();
+    plan.size = {viewOnly ? 1 : options.size, options.size};
+    // A single column holds for every roughness, so its lobes can't be stored relative to one.
+    plan.layout.reference = brdf.followsMirror() && !viewOnly ? ltc::LobeReference::mirror
+                                                              : ltc::LobeReference::bisector;
+    plan.layout.lobeCount = options.lobeCount;
+    plan.layout.hasColor = brdf.hasColor();
+    plan.resolution = options.resolution;
+    plan.viewRoughness = brdf.hasRoughness() ? options.viewRoughness : 0.0;
+    return plan;
+}
+
+/// The albedos by quadrature, not by the fit, so that the table's are exact at its nodes.
+void setAlbedos(const brdf::Brdf& brdf, const GridPlan& plan, std::vector<ltc::TableNode>& nodes) {
+    tbb::parallel_for(std::size_t{0}, nodes.size(), [&](std::size_t i) {
+        const double roughness = plan.roughness(static_cast<double>(i % plan.size.columns));
+        const double cosThetaView = plan.cosThetaView(static_cast<double>(i / plan.size.columns));
+        const brdf::Reflectance reflectance = brdf.reflectance(roughness, cosThetaView);
+        nodes[i].albedo = reflectance.albedo;
+        nodes[i].fresnel = reflectance.fresnel;
+        if (brdf.hasColor()) nodes[i].color = brdf.albedoColor(roughness, cosThetaView);
+    });
+}
+
+std::map<std::string, std::string> attributesOf(const brdf::Brdf& brdf, const GridPlan& plan,
+                                                const FitOptions& options) {
+    std::map<std::string, std::string> attributes = plan.layout.attributes();
     attributes["brdf"] = brdf.name();
     attributes["alphaFloor"] = toText(brdf.alphaFloor(), "%.9g");
+    attributes["solver"] = options.solver == Solver::lm ? "lm" : "moments";
+    if (plan.size.columns == 1 && brdf.hasRoughness()) {
+        attributes["roughness"] = toText(plan.viewRoughness, "%.9g");
+    }
     return attributes;
 }
 
-ltc::Table makeTable(const brdf::Brdf& brdf, int size, const std::vector<ltc::TableEntry>& nodes) {
-    std::vector<float> values;
-    values.reserve(nodes.size() * ltc::Table::kValueCount);
-    for (const ltc::TableEntry& node : nodes) {
-        for (const double value :
-             {node.m11, node.m13, node.m31, node.m33, node.albedo, node.fresnel}) {
-            values.push_back(static_cast<float>(value));
-        }
-    }
-    return ltc::Table(size, std::move(values), makeAttributes(brdf));
-}
-
 ltc::Table withScore(const ltc::Table& table, const TableScore& score) {
-    std::map<std::string, std::string> attributes = table.attributes();
     // Few enough digits to be the same on machines that round differently.
-    attributes["scoreAtNodes"] = toText(score.atNodes, "%.4f");
-    attributes["scoreBetweenNodes"] = toText(score.betweenNodes, "%.4f");
-    attributes["scoreWorst"] = toText(score.worst, "%.3f");
-    attributes["scoreMeaning"] =
-        "integral |f cos - albedo lobe / H| / albedo, mean over r 0.05 to 1, theta_v 0 to 85 "
-        "degrees";
-    return ltc::Table(table.size(), {table.values().begin(), table.values().end()},
-                      std::move(attributes));
+    return table.withAttributes(
+        {{"scoreAtNodes", toText(score.atNodes, "%.4f")},
+         {"scoreBetweenNodes", toText(score.betweenNodes, "%.4f")},
+         {"scoreWorst", toText(score.worst, "%.3f")},
+         {"scoreMeaning",
+          "integral |f cos - albedo lobes| / albedo, mean over r 0.05 to 1, theta_v 0 to 85 "
+          "degrees"}});
 }
 
 ltc::Table fitInArena(const brdf::Brdf& brdf, const FitOptions& options, Progress& progress) {
-    std::vector<ltc::TableEntry> nodes(static_cast<std::size_t>(options.size) * options.size);
-    StepCounter counter(progress, options.size + 1);
-    tbb::parallel_for(0, options.size, [&](int column) {
-        const std::vector<ltc::TableEntry> fitted = fitColumn(
-            brdf, columnRoughness(column, options.size), options.size, options.resolution);
-        for (int row = 0; row < options.size; ++row) {
-            nodes[static_cast<std::size_t>(row) * options.size + column] = fitted[row];
-        }
-        counter.step();
-    });
-    const ltc::Table table = makeTable(brdf, options.size, nodes);
+    const GridPlan plan = planOf(brdf, options);
+    const bool isLm = options.solver == Solver::lm;
+    StepCounter counter(progress, (isLm ? fitGridStepCount(plan) : plan.size.columns) + 2);
+    const auto step = [&] { counter.step(); };
+    std::vector<ltc::TableNode> nodes =
+        isLm ? fitGrid(brdf, plan, step) : fitGridByMoments(brdf, plan, step);
+    setAlbedos(brdf, plan, nodes);
+    step();
+    std::vector<float> values;
+    for (const ltc::TableNode& node : nodes) {
+        const std::vector<float> packed = plan.layout.pack(node);
+        values.insert(values.end(), packed.begin(), packed.end());
+    }
+    const ltc::Table table(plan.size, std::move(values), attributesOf(brdf, plan, options));
     const TableScore score = scoreTable(brdf, table);
-    counter.step();
+    step();
     return withScore(table, score);
 }
 
@@ -101,6 +121,13 @@ void checkOptions(const FitOptions& options) {
     if (options.size < ltc::Table::kMinSize || options.size > ltc::Table::kMaxSize) {
         throw Error(concat("expected a table size from ", ltc::Table::kMinSize, " to ",
                            ltc::Table::kMaxSize, ", found ", options.size, ": 64 is usual"));
+    }
+    if (options.lobeCount < 1 || options.lobeCount > ltc::kMaxLobeCount) {
+        throw Error(
+            concat("expected 1 to ", ltc::kMaxLobeCount, " lobes, found ", options.lobeCount));
+    }
+    if (!(options.viewRoughness >= 0.0 && options.viewRoughness <= 1.0)) {
+        throw Error(concat("expected a roughness from 0 to 1, found ", options.viewRoughness));
     }
     if (options.resolution < 8 || options.threadCount < 0) {
         throw Error(
@@ -118,15 +145,6 @@ ltc::Table fitTable(const brdf::Brdf& brdf, const FitOptions& options, Progress&
     const int threadCount = options.threadCount > 0 ? options.threadCount : processorCount;
     tbb::task_arena arena(std::min(threadCount, processorCount));
     return arena.execute([&] { return fitInArena(brdf, options, progress); });
-}
-
-double columnRoughness(double column, int size) {
-    return column / (size - 1);
-}
-
-double rowCosThetaView(double row, int size) {
-    const double root = row / (size - 1);
-    return 1.0 - root * root;
 }
 
 }  // namespace polylume::fit

@@ -7,20 +7,36 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
-#include "fit/fit_table.hpp"
-#include "fit/lobe_model.hpp"
+#include "fit/lobe_samples.hpp"
+#include "fit/prepared_model.hpp"
+#include "fit/score_grid.hpp"
 
 namespace polylume::fit {
 namespace {
 
-constexpr double kMinRoughness = 0.05;
-constexpr double kMaxThetaDegrees = 85.0;
-
-double cosDegrees(double degrees) {
-    return std::cos(degrees * std::numbers::pi / 180.0);
+/// The nodes in range, then the grid.
+std::vector<ScorePlace> placesOf(const ltc::Table& table, int gridSize, std::size_t& nodeCount) {
+    const bool isSingleColumn = table.size().columns == 1;
+    std::vector<ScorePlace> places;
+    for (int row = 0; row < table.size().rows; ++row) {
+        for (int column = 0; column < table.size().columns; ++column) {
+            const double roughness =
+                isSingleColumn ? scoredRoughnesses(table, gridSize)[0] : table.roughness(column);
+            const ScorePlace place{roughness, table.cosThetaView(row)};
+            const bool inRange = (isSingleColumn || roughness >= kLeastScoredRoughness) &&
+                                 place.cosThetaView >= cosDegrees(kMostScoredDegrees);
+            if (inRange) places.push_back(place);
+        }
+    }
+    nodeCount = places.size();
+    for (const double roughness : scoredRoughnesses(table, gridSize)) {
+        for (const double cosThetaView : scoredViews(0.0, kMostScoredDegrees, gridSize)) {
+            places.push_back({roughness, cosThetaView});
+        }
+    }
+    return places;
 }
 
 }  // namespace
@@ -29,48 +45,29 @@ double scoreEntry(const brdf::Brdf& brdf, double roughness, double cosThetaView,
                   const ltc::TableEntry& entry) {
     constexpr int kResolution = 64;
     const LobeSamples samples = sampleLobe(brdf, roughness, cosThetaView, kResolution);
-    const double scale = entry.albedo / brdf.reflectance(roughness, cosThetaView).albedo;
+    const double scale = entry.albedo / samples.albedo;
+    const PreparedModel model(entry);
     double sum = 0.0;
     for (const LobeSamples::Point& point : samples.points) {
-        const double lobe = normalisedLobe(point.direction, entry, nullptr);
-        sum += point.weight * std::abs(1.0 - scale * lobe / point.target);
+        sum += point.area * std::abs(point.target - scale * model.density(point.direction));
     }
     return sum;
 }
 
 TableScore scoreTable(const brdf::Brdf& brdf, const ltc::Table& table, int gridSize) {
-    struct Place {
-        double roughness;
-        double cosThetaView;
-    };
-    std::vector<Place> places;
-    for (int row = 0; row < table.size(); ++row) {
-        for (int column = 0; column < table.size(); ++column) {
-            const Place place{columnRoughness(column, table.size()),
-                              rowCosThetaView(row, table.size())};
-            const bool inRange = place.roughness >= kMinRoughness &&
-                                 place.cosThetaView >= cosDegrees(kMaxThetaDegrees);
-            if (inRange) places.push_back(place);
-        }
-    }
-    const std::size_t nodeCount = places.size();
-    for (int i = 0; i < gridSize; ++i) {
-        for (int j = 0; j < gridSize; ++j) {
-            const double u = static_cast<double>(i) / (gridSize - 1);
-            const double v = static_cast<double>(j) / (gridSize - 1);
-            places.push_back(
-                {kMinRoughness + (1.0 - kMinRoughness) * u, cosDegrees(kMaxThetaDegrees * v)});
-        }
-    }
-
+    std::size_t nodeCount = 0;
+    const std::vector<ScorePlace> places = placesOf(table, gridSize, nodeCount);
     std::vector<double> errors(places.size());
     std::vector<double> albedoErrors(places.size());
+    std::vector<double> fresnelErrors(places.size());
     tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t i) {
-        const Place& place = places[i];
+        const ScorePlace& place = places[i];
         const ltc::TableEntry entry = table.lookup(place.roughness, place.cosThetaView);
         errors[i] = scoreEntry(brdf, place.roughness, place.cosThetaView, entry);
-        const double albedo = brdf.reflectance(place.roughness, place.cosThetaView).albedo;
-        albedoErrors[i] = std::abs(entry.albedo - albedo);
+        if (i < nodeCount) return;  // Exact there, as the fit makes them.
+        const brdf::Reflectance truth = brdf.reflectance(place.roughness, place.cosThetaView);
+        albedoErrors[i] = std::abs(entry.albedo - truth.albedo);
+        fresnelErrors[i] = std::abs(entry.fresnel - truth.fresnel);
     });
 
     // Summed in a fixed order, so that the score is the same for any number of threads.
@@ -83,6 +80,7 @@ TableScore scoreTable(const brdf::Brdf& brdf, const ltc::Table& table, int gridS
         score.betweenNodes += errors[i] / static_cast<double>(places.size() - nodeCount);
         score.worst = std::max(score.worst, errors[i]);
         score.albedoError = std::max(score.albedoError, albedoErrors[i]);
+        score.fresnelError = std::max(score.fresnelError, fresnelErrors[i]);
     }
     return score;
 }

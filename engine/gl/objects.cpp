@@ -51,13 +51,11 @@ void Buffer::update(std::span<const std::byte> bytes, std::size_t offset) {
                                            static_cast<GLsizeiptr>(bytes.size()), bytes.data());
 }
 
-Texture::Texture(const Functions& gl, GLenum format, glm::ivec2 size, int levelCount,
-                 const char* label)
+Texture::Texture(const Functions& gl, GLenum target, glm::ivec2 size, const char* label)
     : handle_(gl, createName([&](GLsizei count, GLuint* names) {
-                  gl.CreateTextures(GL_TEXTURE_2D, count, names);
+                  gl.CreateTextures(target, count, names);
               })),
       size_(size) {
-    gl.TextureStorage2D(name(), levelCount, format, size.x, size.y);
     gl.ObjectLabel(GL_TEXTURE, name(), -1, label);
     // Render targets and tables are read texel by texel; material textures get a sampler object.
     setParameter(GL_TEXTURE_MIN_FILTER, GL_NEAREST);
@@ -66,9 +64,28 @@ Texture::Texture(const Functions& gl, GLenum format, glm::ivec2 size, int levelC
     setParameter(GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
+Texture::Texture(const Functions& gl, GLenum format, glm::ivec2 size, int levelCount,
+                 const char* label)
+    : Texture(gl, GL_TEXTURE_2D, size, label) {
+    gl.TextureStorage2D(name(), levelCount, format, size.x, size.y);
+}
+
+Texture Texture::array(const Functions& gl, GLenum format, glm::ivec2 size, int layerCount,
+                       const char* label) {
+    Texture texture(gl, GL_TEXTURE_2D_ARRAY, size, label);
+    texture.layerCount_ = layerCount;
+    gl.TextureStorage3D(texture.name(), 1, format, size.x, size.y, layerCount);
+    return texture;
+}
+
 void Texture::upload(GLenum format, GLenum type, const void* pixels) {
     const Functions& gl = handle_.functions();
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    if (layerCount_ > 0) {
+        gl.TextureSubImage3D(name(), 0, 0, 0, 0, size_.x, size_.y, layerCount_, format, type,
+                             pixels);
+        return;
+    }
     gl.TextureSubImage2D(name(), 0, 0, 0, size_.x, size_.y, format, type, pixels);
 }
 

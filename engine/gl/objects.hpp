@@ -45,13 +45,17 @@ std::span<const std::byte> bytesOf(const T& value) {
     }
 }
 
-/// A 2D texture of immutable storage.
+/// A 2D texture of immutable storage, or an array of such.
 class Texture {
   public:
     Texture() = default;
     Texture(const Functions& gl, GLenum format, glm::ivec2 size, int levelCount, const char* label);
 
-    /// Fills level 0 from rows without padding.
+    /// An array of `layerCount` layers (GL_TEXTURE_2D_ARRAY) with one level each.
+    static Texture array(const Functions& gl, GLenum format, glm::ivec2 size, int layerCount,
+                         const char* label);
+
+    /// Fills level 0 from rows without padding, of an array layer after layer.
     void upload(GLenum format, GLenum type, const void* pixels);
     void setParameter(GLenum parameter, GLint value);
     /// Reads level 0 into `pixels`, rows from the bottom, without padding.
@@ -62,8 +66,12 @@ class Texture {
 
   private:
     static void destroy(const Functions& gl, GLuint name) { gl.DeleteTextures(1, &name); }
+    /// A texture without storage.
+    Texture(const Functions& gl, GLenum target, glm::ivec2 size, const char* label);
+
     Handle<&Texture::destroy> handle_;
     glm::ivec2 size_{0};
+    int layerCount_ = 0;  ///< 0 where it is no array.
 };
 
 /// How a texture is filtered and wrapped.

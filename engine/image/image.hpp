@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -52,6 +53,18 @@ struct PixelImage {
     int channelCount = 0;
     int bitsPerChannel = 8;            ///< 8, or 16 in the byte order of this machine
     std::vector<std::uint8_t> pixels;  ///< width * height * channelCount * bitsPerChannel / 8
+};
+
+enum class TextAlign { left, middle, right };
+
+/// One line of text to be drawn into a picture.
+struct TextLabel {
+    std::string text;  ///< ASCII; OpenImageIO 2.4 draws other characters wrong.
+    int x = 0;         ///< Pixels from the left to where `align` says: its left end, and so on.
+    int y = 0;         ///< Pixels from the top to the middle of the line's capital letters.
+    int size = 16;     ///< Height of the line, in pixels.
+    TextAlign align = TextAlign::left;
+    std::array<std::uint8_t, 3> color{};
 };
 
 }  // namespace polylume

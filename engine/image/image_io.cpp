@@ -109,4 +109,11 @@ void writePng(const fs::path& path, const PixelImage& image, const ImageMetadata
     writeFile(path, file);
 }
 
+bool drawText(PixelImage& image, std::span<const TextLabel> labels) {
+    checkPixelImage("a picture", image);
+    bool hasFont = false;
+    throwIfFailed(library().drawText(image, labels, hasFont));
+    return hasFont;
+}
+
 }  // namespace polylume

@@ -45,4 +45,8 @@ void writeExr(const std::filesystem::path& path, const FloatImage& image, ExrPre
 void writePng(const std::filesystem::path& path, const PixelImage& image,
               const ImageMetadata& metadata);
 
+/// Draws `labels` over an 8-bit picture of 3 channels, in a sans-serif font of the system. False
+/// where there is no such font (Debian: fonts-dejavu-core); the picture is then as before.
+bool drawText(PixelImage& image, std::span<const TextLabel> labels);
+
 }  // namespace polylume

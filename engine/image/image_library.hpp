@@ -27,10 +27,11 @@ struct ImageLibrary {
                              std::vector<std::byte>& file);
     std::string (*encodePng)(const PixelImage& image, const ImageMetadata& metadata,
                              std::vector<std::byte>& file);
+    std::string (*drawText)(PixelImage& image, std::span<const TextLabel> labels, bool& hasFont);
 };
 
 /// Goes up with every change of ImageLibrary or of a type that it names.
-inline constexpr int kImageLibraryVersion = 1;
+inline constexpr int kImageLibraryVersion = 2;
 
 /// The one symbol of the shared object, `polylumeImageLibrary`: null where the versions differ.
 inline constexpr const char* kImageLibrarySymbol = "polylumeImageLibrary";

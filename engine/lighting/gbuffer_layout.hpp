@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include "gl/functions.hpp"
 
@@ -15,6 +16,8 @@ struct GBufferAttachment {
     const char* meaning;
     GLenum format;
     GLenum point;
+    /// There only where a scene has sheen; the shaders' variant POLYLUME_SHEEN writes and reads it.
+    bool isForSheen = false;
 };
 
 /// The G-buffer. From this table come the textures, the framebuffer and the units that the lighting
@@ -34,9 +37,15 @@ inline constexpr std::array kGBufferAttachments = {
                       GL_COLOR_ATTACHMENT3},
     GBufferAttachment{"depth", "1 near, 0 far and background", GL_DEPTH_COMPONENT32F,
                       GL_DEPTH_ATTACHMENT},
+    GBufferAttachment{"sheen", "RGB: sheen colour, A: sheen roughness, perceptual", GL_RGBA16,
+                      GL_COLOR_ATTACHMENT4, true},
 };
 
-/// The texture names in the order of kGBufferAttachments.
+/// Places in kGBufferAttachments.
+inline constexpr std::size_t kDepthAttachment = 4;
+inline constexpr std::size_t kSheenAttachment = 5;
+
+/// The texture names in the order of kGBufferAttachments; 0 for one that is left out.
 using GBufferTextures = std::array<GLuint, kGBufferAttachments.size()>;
 
 }  // namespace polylume

@@ -3,14 +3,44 @@
 
 #include "lighting/lighting_pass.hpp"
 
+#include <array>
 #include <utility>
 
+#include "ltc/builtin_table.hpp"
+
 namespace polylume {
+namespace {
+
+const ltc::Table& specularTableOf(const LightingModel& model) {
+    using ltc::BuiltinTable;
+    const bool high = model.quality == Quality::high;
+    const BuiltinTable ggx = high ? BuiltinTable::ggxTwoLobes : BuiltinTable::ggx;
+    const BuiltinTable beckmann = high ? BuiltinTable::beckmannTwoLobes : BuiltinTable::beckmann;
+    return ltc::builtinTable(model.specular == Specular::beckmann ? beckmann : ggx);
+}
+
+}  // namespace
 
 LightingPass::LightingPass(const gl::Functions& gl, const gl::ShaderLibrary& library,
-                           const ltc::Table& table)
-    : gl_(gl), library_(library), noVertices_(gl, "lighting, no vertices") {
-    uploadTable(table);
+                           const LightingModel& model)
+    : LightingPass(gl, library, specularTableOf(model), model) {}
+
+LightingPass::LightingPass(const gl::Functions& gl, const gl::ShaderLibrary& library,
+                           const ltc::Table& specularTable, const LightingModel& model)
+    : gl_(gl),
+      library_(library),
+      model_(model),
+      specularTable_(uploadTable(gl, specularTable, "specular table")),
+      noVertices_(gl, "lighting, no vertices") {
+    using ltc::BuiltinTable;
+    if (model.diffuse != Diffuse::lambert) {
+        const BuiltinTable diffuse =
+            model.diffuse == Diffuse::burley ? BuiltinTable::burley : BuiltinTable::orenNayar;
+        diffuseTable_ = uploadTable(gl, ltc::builtinTable(diffuse), "diffuse table");
+    }
+    if (model.sheen) {
+        sheenTable_ = uploadTable(gl, ltc::builtinTable(BuiltinTable::charlie), "sheen table");
+    }
     setLights({});
 }
 
@@ -24,9 +54,7 @@ void LightingPass::setLights(const LightSet& lights) {
     punctuals_ = gl::Buffer(gl_, gl::bytesOf(packed_.punctuals), 0, "punctual lights");
     uploadSettings();
 
-    std::vector<std::string> defines;
-    if (!packed_.polygons.empty()) defines.emplace_back("POLYLUME_POLYGON_LIGHTS");
-    if (!packed_.punctuals.empty()) defines.emplace_back("POLYLUME_PUNCTUAL_LIGHTS");
+    std::vector<std::string> defines = makeDefines();
     if (program_.isEmpty() || defines != defines_) {
         defines_ = std::move(defines);
         program_ = gl::Program(gl_, library_, "passes/fullscreen.vert", "passes/lighting.frag",
@@ -71,25 +99,28 @@ void LightingPass::bind() const {
     gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, shared::kPolygonVertexBinding,
                        polygonVertices_.name());
     gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, shared::kPunctualBinding, punctuals_.name());
-    gl_.BindTextureUnit(shared::kTableMatricesUnit, tableMatrices_.name());
-    gl_.BindTextureUnit(shared::kTableAlbedosUnit, tableAlbedos_.name());
-    gl_.BindSampler(shared::kTableMatricesUnit, 0);
-    gl_.BindSampler(shared::kTableAlbedosUnit, 0);
+    const std::array units = {std::pair(shared::kSpecularTableUnit, &specularTable_),
+                              std::pair(shared::kDiffuseTableUnit, &diffuseTable_),
+                              std::pair(shared::kSheenTableUnit, &sheenTable_)};
+    for (const auto& [unit, table] : units) {
+        gl_.BindTextureUnit(unit, table->texture.name());
+        gl_.BindSampler(unit, 0);
+    }
 }
 
-void LightingPass::uploadTable(const ltc::Table& table) {
-    std::vector<glm::vec4> matrices;
-    std::vector<glm::vec2> albedos;
-    const std::span<const float> values = table.values();
-    for (std::size_t i = 0; i < values.size(); i += ltc::Table::kValueCount) {
-        matrices.emplace_back(values[i], values[i + 1], values[i + 2], values[i + 3]);
-        albedos.emplace_back(values[i + 4], values[i + 5]);
-    }
-    const glm::ivec2 size(table.size());
-    tableMatrices_ = gl::Texture(gl_, GL_RGBA32F, size, 1, "LTC table, matrices");
-    tableMatrices_.upload(GL_RGBA, GL_FLOAT, matrices.data());
-    tableAlbedos_ = gl::Texture(gl_, GL_RG32F, size, 1, "LTC table, albedos");
-    tableAlbedos_.upload(GL_RG, GL_FLOAT, albedos.data());
+std::vector<std::string> LightingPass::makeDefines() const {
+    std::vector<std::string> defines;
+    const auto add = [&](bool condition, const char* name) {
+        if (condition) defines.emplace_back(name);
+    };
+    add(!packed_.polygons.empty(), "POLYLUME_POLYGON_LIGHTS");
+    add(!packed_.punctuals.empty(), "POLYLUME_PUNCTUAL_LIGHTS");
+    add(specularTable_.lobeCount == 2, "POLYLUME_TWO_LOBES");
+    add(model_.specular == Specular::beckmann, "POLYLUME_SPECULAR_BECKMANN");
+    add(model_.diffuse == Diffuse::burley, "POLYLUME_DIFFUSE_BURLEY");
+    add(model_.diffuse == Diffuse::orenNayar, "POLYLUME_DIFFUSE_OREN_NAYAR");
+    add(model_.sheen, "POLYLUME_SHEEN");
+    return defines;
 }
 
 void LightingPass::uploadSettings() {
@@ -98,6 +129,8 @@ void LightingPass::uploadSettings() {
                        packed_.punctuals.size(), 0};
     data.lobeWeight = {lobes_ != Lobes::specular, lobes_ != Lobes::diffuse, lobes_ == Lobes::all,
                        0};
+    data.lobeReferences = glm::vec4(specularTable_.reference, diffuseTable_.reference);
+    data.sheenReference = glm::vec4(sheenTable_.reference, 0.0f, 0.0f);
     settings_ = gl::Buffer(gl_, gl::bytesOf(data), 0, "lighting settings");
 }
 

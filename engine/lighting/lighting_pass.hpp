@@ -12,6 +12,8 @@
 #include "lighting/gbuffer_layout.hpp"
 #include "lighting/light.hpp"
 #include "lighting/light_packing.hpp"
+#include "lighting/lighting_model.hpp"
+#include "lighting/table_texture.hpp"
 #include "ltc/table.hpp"
 
 namespace polylume {
@@ -22,15 +24,21 @@ enum class Lobes { diffuse, specular, all };
 /// Lights the surfaces of a G-buffer. Every call needs the context current that it was made in.
 class LightingPass {
   public:
-    /// Keeps references to `gl` and `library`.
+    /// Lights by the built-in tables of `model`. Keeps references to `gl` and `library`.
     LightingPass(const gl::Functions& gl, const gl::ShaderLibrary& library,
-                 const ltc::Table& table);
+                 const LightingModel& model = {});
+
+    /// The same with a specular table of the caller's, of one lobe or two, in place of the one that
+    /// `model` names; lights without extent still go by `model.specular`.
+    LightingPass(const gl::Functions& gl, const gl::ShaderLibrary& library,
+                 const ltc::Table& specularTable, const LightingModel& model = {});
 
     /// Takes over the lights for all later draws. Throws Error as packLights() does, and leaves the
     /// old ones.
     void setLights(const LightSet& lights);
 
-    /// `Lobes::all` at first: both lobes and emission. One lobe alone comes without emission.
+    /// `Lobes::all` at first: diffuse and specular reflection and emission. One reflection alone
+    /// comes without emission; sheen goes with the specular one.
     void setLobes(Lobes lobes);
 
     /// Shades every pixel of `gbuffer` that has a surface into the bound draw framebuffer's first
@@ -38,22 +46,25 @@ class LightingPass {
     /// (shared/camera_data.h) is bound. Alpha becomes 1.
     void draw(const GBufferTextures& gbuffer) const;
 
-    /// Binds lights and table for a program of the caller's that includes lighting/shade.glsl,
+    /// Binds lights and tables for a program of the caller's that includes lighting/shade.glsl,
     /// built with defines().
     void bind() const;
-    /// The defines of the shader variant that the lights need.
+    /// The defines of the shader variant that the lights and the model need.
     const std::vector<std::string>& defines() const { return defines_; }
+    const LightingModel& model() const { return model_; }
     /// The lights as the shaders read them.
     const PackedLights& packedLights() const { return packed_; }
 
   private:
-    void uploadTable(const ltc::Table& table);
+    std::vector<std::string> makeDefines() const;
     void uploadSettings();
 
     const gl::Functions& gl_;
     const gl::ShaderLibrary& library_;
-    gl::Texture tableMatrices_;
-    gl::Texture tableAlbedos_;
+    LightingModel model_;
+    TableTexture specularTable_;
+    TableTexture diffuseTable_;  ///< Empty for Lambert's.
+    TableTexture sheenTable_;    ///< Empty without sheen.
     PackedLights packed_;
     Lobes lobes_ = Lobes::all;
     std::vector<std::string> defines_;

@@ -126,36 +126,30 @@ double formFactor(std::span<const Contour> contours) {
     return std::clamp(sum / (2.0 * kPi), -1.0, 1.0);
 }
 
-double lobeFormFactor(std::span<const Contour> contours, const TableEntry& entry) {
+double lobeFormFactor(std::span<const Contour> contours, const Lobe& lobe) {
     if (isEdgeOn(contours)) return 0.0;
     double sum = 0.0;
     for (const Contour& contour : contours) {
         EdgeSum edges;
         HorizonClip lobeClip([&](const glm::dvec3& vertex) { edges.add(vertex); });
         HorizonClip surfaceClip([&](const glm::dvec3& vertex) {
-            lobeClip.add({entry.m11 * vertex.x + entry.m13 * vertex.z, vertex.y,
-                          entry.m31 * vertex.x + entry.m33 * vertex.z});
+            lobeClip.add({lobe.m11 * vertex.x + lobe.m13 * vertex.z, vertex.y,
+                          lobe.m31 * vertex.x + lobe.m33 * vertex.z});
         });
         for (const glm::dvec3& vertex : contour) surfaceClip.add(vertex);
         surfaceClip.close();
         lobeClip.close();
         sum += edges.close();
     }
-    return std::clamp(sum / (2.0 * kPi * upperShare(entry)), -1.0, 1.0);
+    return std::clamp(sum / (2.0 * kPi * upperShare(lobe)), -1.0, 1.0);
 }
 
-double upperShare(const TableEntry& entry) {
-    return 0.5 * (1.0 + entry.m11 / std::hypot(entry.m11, entry.m31));
-}
-
-double lobeDensity(const glm::dvec3& direction, const TableEntry& entry) {
-    // D0(w / |w|) |M^-1| / |w|^3 for w = M^-1 direction (Heitz et al. 2016, eq. 1).
-    const glm::dvec3 w(entry.m11 * direction.x + entry.m13 * direction.z, direction.y,
-                       entry.m31 * direction.x + entry.m33 * direction.z);
-    if (w.z <= 0.0) return 0.0;
-    const double determinant = entry.m11 * entry.m33 - entry.m13 * entry.m31;
-    const double square = glm::dot(w, w);
-    return w.z * determinant / (kPi * square * square);
+double lobeFormFactor(std::span<const Contour> contours, const TableEntry& entry) {
+    double sum = 0.0;
+    for (int i = 0; i < entry.lobeCount; ++i) {
+        sum += entry.shares[i] * lobeFormFactor(contours, entry.lobes[i]);
+    }
+    return sum;
 }
 
 }  // namespace polylume::ltc

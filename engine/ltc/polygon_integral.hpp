@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "ltc/table.hpp"
+#include "ltc/table_layout.hpp"
 
 // The integrals that the shaders compute, in double, for tests and for the reference. The shading
 // frame has z along the normal. Outlines turn counter-clockwise seen from the light's emitting
@@ -25,16 +25,12 @@ using Contour = std::vector<glm::dvec3>;
 /// largest distance to a vertex) or the polygon has no area (Lambert 1760; Baum et al. 1989).
 double formFactor(std::span<const Contour> contours);
 
-/// The same after M^-1 of `entry`, divided by the share H of the lobe above the surface: the
+/// The same after M^-1 of `lobe`, divided by the share H of the lobe above the surface: the
 /// specular integral over the polygon as a fraction of the lobe, -1 to 1 (design: surface clip,
 /// M^-1, second clip, sum, E/H).
+double lobeFormFactor(std::span<const Contour> contours, const Lobe& lobe);
+
+/// The same for all lobes of `entry`, each by its share.
 double lobeFormFactor(std::span<const Contour> contours, const TableEntry& entry);
-
-/// Share of the lobe above the surface, H = (1 + m11 / sqrt(m11^2 + m31^2)) / 2.
-double upperShare(const TableEntry& entry);
-
-/// The density of the lobe, D(omega) per steradian, integrating to 1 over the sphere; `direction`
-/// is unit.
-double lobeDensity(const glm::dvec3& direction, const TableEntry& entry);
 
 }  // namespace polylume::ltc

@@ -14,14 +14,15 @@
 
 // The raw form of a table, all little-endian:
 //   8 bytes   "PLUMELTC"
-//   4 x u32   format version, size, values per node, bytes of text
-//   text      lines "name=value", first "values=m11,m13,...", padded with spaces to whole 16 bytes
-//   floats    size * size * values per node, row by row
+//   5 x u32   format version, columns, rows, values per node, bytes of text
+//   text      lines "name=value", first "values=...", padded with spaces to whole 16 bytes
+//   floats    columns * rows * values per node, row by row
 namespace polylume::ltc {
 namespace {
 
 constexpr std::string_view kMagic = "PLUMELTC";
-constexpr std::size_t kHeaderBytes = 24;
+constexpr std::uint32_t kFormatVersion = 2;
+constexpr std::size_t kHeaderBytes = 28;
 constexpr std::size_t kAlignment = 16;
 constexpr std::string_view kRemedy = "; make it anew with \"polylume fit\"";
 
@@ -37,9 +38,9 @@ void appendU32(std::vector<std::byte>& raw, std::uint32_t value) {
     for (int i = 0; i < 4; ++i) raw.push_back(static_cast<std::byte>(value >> (8 * i) & 0xff));
 }
 
-std::string joinedValueNames() {
+std::string joinedValueNames(const TableLayout& layout) {
     std::string names;
-    for (const std::string_view name : Table::kValueNames) {
+    for (const std::string& name : layout.valueNames()) {
         if (!names.empty()) names += ',';
         names += name;
     }
@@ -67,36 +68,43 @@ Table parseRaw(std::span<const std::byte> raw) {
                            raw.size(), " bytes of something else", kRemedy));
     }
     const std::uint32_t version = readU32(raw, 8);
-    const std::uint32_t size = readU32(raw, 12);
-    const std::uint32_t valueCount = readU32(raw, 16);
-    const std::uint32_t textBytes = readU32(raw, 20);
-    if (version != Table::kFormatVersion || valueCount != Table::kValueCount) {
-        throw Error(concat("expected format version ", Table::kFormatVersion, " with ",
-                           Table::kValueCount, " values a node, found version ", version, " with ",
-                           valueCount, kRemedy));
+    const std::uint32_t columns = readU32(raw, 12);
+    const std::uint32_t rows = readU32(raw, 16);
+    const std::uint32_t valueCount = readU32(raw, 20);
+    const std::uint32_t textBytes = readU32(raw, 24);
+    if (version != kFormatVersion) {
+        throw Error(
+            concat("expected format version ", kFormatVersion, ", found ", version, kRemedy));
     }
-    if (size < Table::kMinSize || size > Table::kMaxSize) {
-        throw Error(concat("expected ", Table::kMinSize, " to ", Table::kMaxSize,
-                           " nodes a side, found ", size, kRemedy));
+    constexpr std::uint32_t kMostValues = 64;
+    if (columns < 1 || columns > Table::kMaxSize || rows < Table::kMinSize ||
+        rows > Table::kMaxSize || valueCount > kMostValues) {
+        throw Error(concat("expected 1 to ", Table::kMaxSize, " columns, ", Table::kMinSize, " to ",
+                           Table::kMaxSize, " rows and at most ", kMostValues,
+                           " values a node, found ", columns, ", ", rows, " and ", valueCount,
+                           kRemedy));
     }
-    const std::size_t floatCount = std::size_t{size} * size * valueCount;
+    const std::size_t floatCount = std::size_t{columns} * rows * valueCount;
     const std::size_t expectedBytes = kHeaderBytes + textBytes + floatCount * sizeof(float);
     if (raw.size() != expectedBytes) {
-        throw Error(concat("expected ", expectedBytes, " bytes for ", size, "x", size,
+        throw Error(concat("expected ", expectedBytes, " bytes for ", columns, "x", rows,
                            " nodes, found ", raw.size(), ": cut short or damaged", kRemedy));
     }
     auto attributes =
         parseText({reinterpret_cast<const char*>(raw.data()) + kHeaderBytes, textBytes});
-    if (attributes["values"] != joinedValueNames()) {
-        throw Error(concat("expected the values ", joinedValueNames(), ", found \"",
-                           attributes["values"], "\"", kRemedy));
-    }
+    const std::string names = attributes["values"];
     attributes.erase("values");
+    const std::string expectedNames = joinedValueNames(TableLayout::of(attributes));
+    if (names != expectedNames) {
+        throw Error(
+            concat("expected the values ", expectedNames, ", found \"", names, "\"", kRemedy));
+    }
     std::vector<float> values(floatCount);
     for (std::size_t i = 0; i < floatCount; ++i) {
         values[i] = std::bit_cast<float>(readU32(raw, kHeaderBytes + textBytes + 4 * i));
     }
-    return Table(static_cast<int>(size), std::move(values), std::move(attributes));
+    const TableSize size{static_cast<int>(columns), static_cast<int>(rows)};
+    return Table(size, std::move(values), std::move(attributes));
 }
 
 }  // namespace
@@ -110,7 +118,7 @@ Table Table::fromRaw(std::span<const std::byte> raw, std::string_view name) {
 }
 
 std::vector<std::byte> Table::toRaw() const {
-    std::string text = concat("values=", joinedValueNames(), "\n");
+    std::string text = concat("values=", joinedValueNames(layout_), "\n");
     for (const auto& [name, value] : attributes_) text += concat(name, "=", value, "\n");
     while ((kHeaderBytes + text.size()) % kAlignment != 0) text += ' ';
 
@@ -118,8 +126,9 @@ std::vector<std::byte> Table::toRaw() const {
     raw.reserve(kHeaderBytes + text.size() + values_.size() * sizeof(float));
     for (const char c : kMagic) raw.push_back(static_cast<std::byte>(c));
     appendU32(raw, kFormatVersion);
-    appendU32(raw, static_cast<std::uint32_t>(size_));
-    appendU32(raw, kValueCount);
+    appendU32(raw, static_cast<std::uint32_t>(size_.columns));
+    appendU32(raw, static_cast<std::uint32_t>(size_.rows));
+    appendU32(raw, static_cast<std::uint32_t>(layout_.valueCount()));
     appendU32(raw, static_cast<std::uint32_t>(text.size()));
     for (const char c : text) raw.push_back(static_cast<std::byte>(c));
     for (const float value : values_) appendU32(raw, std::bit_cast<std::uint32_t>(value));

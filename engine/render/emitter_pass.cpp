@@ -60,8 +60,8 @@ EmitterPass::EmitterPass(const gl::Functions& gl, const gl::ShaderLibrary& libra
     const std::vector<shared::EmitterData> emitters = packEmitters(lighting.packedLights());
     emitterCount_ = static_cast<int>(emitters.size());
     if (emitters.empty()) return;
-    program_ =
-        gl::Program(gl, library, "passes/emitter.vert", "passes/emitter.frag", {}, "emitters");
+    program_ = gl::Program(gl, library, "passes/emitter.vert", "passes/emitter.frag",
+                           lighting.defines(), "emitters");
     emitters_ = BlockArray(gl, emitters, "emitters");
 }
 

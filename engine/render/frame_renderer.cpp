@@ -13,9 +13,12 @@ namespace polylume {
 namespace {
 
 LightingPass makeLighting(const gl::Functions& gl, const gl::ShaderLibrary& library,
-                          const ltc::Table& table, const scene::Scene& scene,
-                          const RenderOptions& options) {
-    LightingPass lighting(gl, library, table);
+                          const scene::Scene& scene, const RenderOptions& options) {
+    LightingModel model = options.model;
+    model.sheen = scene.hasSheen();
+    LightingPass lighting = options.specularTable
+                                ? LightingPass(gl, library, *options.specularTable, model)
+                                : LightingPass(gl, library, model);
     LightSet lights = lightsOf(scene, options.twoSided);
     const LightSet& extra = options.extraLights;
     lights.polygons.insert(lights.polygons.end(), extra.polygons.begin(), extra.polygons.end());
@@ -35,14 +38,14 @@ gl::Framebuffer makeTarget(const gl::Functions& gl, const gl::Texture& color,
 }  // namespace
 
 FrameRenderer::FrameRenderer(const gl::Functions& gl, const gl::ShaderLibrary& library,
-                             const ltc::Table& table, const scene::Scene& scene,
-                             const scene::Camera& camera, const RenderOptions& options)
+                             const scene::Scene& scene, const scene::Camera& camera,
+                             const RenderOptions& options)
     : gl_(gl),
       camera_(camera),
       options_(options),
-      lighting_(makeLighting(gl, library, table, scene, options)),
+      lighting_(makeLighting(gl, library, scene, options)),
       gpuScene_(gl, scene),
-      gbuffer_(gl, options.size),
+      gbuffer_(gl, options.size, lighting_.model().sheen),
       radiance_(gl, GL_RGBA32F, options.size, 1, "radiance of a frame"),
       sum_(gl, GL_RGBA32F, options.size, 1, "sum of frames"),
       frameTarget_(makeTarget(gl, radiance_, &gbuffer_.depth(), "frame")),
@@ -51,7 +54,7 @@ FrameRenderer::FrameRenderer(const gl::Functions& gl, const gl::ShaderLibrary& l
                          "accumulate"),
       noVertices_(gl, "no vertices"),
       cameraBlock_(gl, gl::bytesOf(cameraData_), GL_DYNAMIC_STORAGE_BIT, "camera"),
-      geometry_(gl, library, gpuScene_),
+      geometry_(gl, library, gpuScene_, gbuffer_),
       emitters_(gl, library, lighting_),
       blend_(gl, library, gpuScene_, lighting_, camera) {
     const float zero[4] = {};

@@ -17,9 +17,9 @@ namespace polylume {
 /// Everything that one picture needs on the GPU, and its passes in their order.
 class FrameRenderer {
   public:
-    /// Keeps references to all but `table` and `options`.
+    /// Keeps references to all but `options`.
     FrameRenderer(const gl::Functions& gl, const gl::ShaderLibrary& library,
-                  const ltc::Table& table, const scene::Scene& scene, const scene::Camera& camera,
+                  const scene::Scene& scene, const scene::Camera& camera,
                   const RenderOptions& options);
 
     /// Draws one frame whose pixels are sampled at `samplePosition`: G-buffer, lighting,

@@ -7,10 +7,11 @@
 
 namespace polylume {
 
-GBuffer::GBuffer(const gl::Functions& gl, glm::ivec2 size) : gl_(gl) {
+GBuffer::GBuffer(const gl::Functions& gl, glm::ivec2 size, bool withSheen) : gl_(gl) {
     std::vector<gl::Framebuffer::Attachment> attachments;
     textures_.reserve(kGBufferAttachments.size());
     for (const GBufferAttachment& attachment : kGBufferAttachments) {
+        if (attachment.isForSheen && !withSheen) continue;
         const std::string label = concat("G-buffer, ", attachment.name);
         textures_.emplace_back(gl, attachment.format, size, 1, label.c_str());
         attachments.push_back({attachment.point, &textures_.back()});
@@ -24,15 +25,21 @@ void GBuffer::begin() const {
     gl_.DepthMask(GL_TRUE);
     gl_.Disable(GL_SCISSOR_TEST);
     const float zero[4] = {};
-    for (GLint i = 0; i + 1 < static_cast<GLint>(kGBufferAttachments.size()); ++i) {
+    const GLint colorCount = static_cast<GLint>(textures_.size()) - 1;
+    for (GLint i = 0; i < colorCount; ++i) {
         gl_.ClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, i, zero);
     }
     gl_.ClearNamedFramebufferfv(framebuffer_.name(), GL_DEPTH, 0, zero);
 }
 
+std::vector<std::string> GBuffer::defines() const {
+    if (hasSheen()) return {"POLYLUME_SHEEN"};
+    return {};
+}
+
 GBufferTextures GBuffer::textureNames() const {
     GBufferTextures names{};
-    for (std::size_t i = 0; i < names.size(); ++i) names[i] = textures_[i].name();
+    for (std::size_t i = 0; i < textures_.size(); ++i) names[i] = textures_[i].name();
     return names;
 }
 

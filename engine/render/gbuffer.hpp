@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "gl/objects.hpp"
@@ -13,16 +14,20 @@ namespace polylume {
 /// The textures of kGBufferAttachments and the framebuffer over them.
 class GBuffer {
   public:
-    GBuffer(const gl::Functions& gl, glm::ivec2 size);
+    /// The attachment for sheen is made where `withSheen`.
+    GBuffer(const gl::Functions& gl, glm::ivec2 size, bool withSheen = false);
 
     /// Binds it for drawing and clears it to the background.
     void begin() const;
 
     GBufferTextures textureNames() const;
+    bool hasSheen() const { return textures_.size() > kSheenAttachment; }
+    /// The defines of the shaders that write it.
+    std::vector<std::string> defines() const;
     /// In the order of kGBufferAttachments.
     const gl::Texture& texture(std::size_t index) const { return textures_[index]; }
     gl::Texture& texture(std::size_t index) { return textures_[index]; }
-    const gl::Texture& depth() const { return textures_.back(); }
+    const gl::Texture& depth() const { return textures_[kDepthAttachment]; }
     glm::ivec2 size() const { return framebuffer_.size(); }
 
   private:

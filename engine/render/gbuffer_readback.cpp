@@ -51,6 +51,8 @@ constexpr std::array kAovs = {
     Aov{"f90", "Y", [](const GBufferPixel& p, float* v) { *v = p.f90; }},
     Aov{"emission", "RGB", [](const GBufferPixel& p, float* v) { writeVector(p.emission, v); }},
     Aov{"occlusion", "Y", [](const GBufferPixel& p, float* v) { *v = p.occlusion; }},
+    Aov{"sheen", "RGB", [](const GBufferPixel& p, float* v) { writeVector(p.sheenColor, v); }},
+    Aov{"sheenRoughness", "Y", [](const GBufferPixel& p, float* v) { *v = p.sheenRoughness; }},
 };
 
 const Aov& findAov(std::string_view name) {
@@ -68,6 +70,10 @@ std::vector<GBufferPixel> readGBuffer(const GBuffer& gbuffer, const shared::Came
     const auto diffuse = readRows<glm::vec4>(gbuffer.texture(1), GL_RGBA, GL_FLOAT);
     const auto specular = readRows<glm::vec4>(gbuffer.texture(2), GL_RGBA, GL_FLOAT);
     const auto emission = readRows<glm::vec4>(gbuffer.texture(3), GL_RGBA, GL_FLOAT);
+    std::vector<glm::vec4> sheens;
+    if (gbuffer.hasSheen()) {
+        sheens = readRows<glm::vec4>(gbuffer.texture(kSheenAttachment), GL_RGBA, GL_FLOAT);
+    }
     const auto depths = readRows<float>(gbuffer.depth(), GL_DEPTH_COMPONENT, GL_FLOAT);
 
     const glm::ivec2 size = gbuffer.size();
@@ -95,20 +101,26 @@ std::vector<GBufferPixel> readGBuffer(const GBuffer& gbuffer, const shared::Came
         p.f90 = specular[i].w;
         p.emission = glm::vec3(emission[i]);
         p.occlusion = emission[i].w;
+        if (sheens.empty()) continue;
+        p.sheenColor = glm::vec3(sheens[i]);
+        p.sheenRoughness = sheens[i].w;
     }
     return pixels;
 }
 
 std::vector<bool> findLitPixels(const GBuffer& gbuffer) {
     using Texel = glm::vec<4, std::uint16_t>;
-    // The background and emitters reflect nothing; both were cleared or written as zero.
-    const auto diffuse = readRows<Texel>(gbuffer.texture(1), GL_RGBA, GL_UNSIGNED_SHORT);
-    const auto specular = readRows<Texel>(gbuffer.texture(2), GL_RGBA, GL_UNSIGNED_SHORT);
-    std::vector<bool> lit(diffuse.size());
-    for (std::size_t i = 0; i < lit.size(); ++i) {
-        lit[i] = diffuse[i].x + diffuse[i].y + diffuse[i].z + specular[i].x + specular[i].y +
-                     specular[i].z >
-                 0;
+    // The background and emitters reflect nothing; all was cleared or written as zero.
+    std::vector<std::size_t> attachments = {1, 2};
+    if (gbuffer.hasSheen()) attachments.push_back(kSheenAttachment);
+    const glm::ivec2 size = gbuffer.size();
+    std::vector<bool> lit(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+    for (const std::size_t attachment : attachments) {
+        const auto texels =
+            readRows<Texel>(gbuffer.texture(attachment), GL_RGBA, GL_UNSIGNED_SHORT);
+        for (std::size_t i = 0; i < lit.size(); ++i) {
+            if (texels[i].x + texels[i].y + texels[i].z > 0) lit[i] = true;
+        }
     }
     return lit;
 }

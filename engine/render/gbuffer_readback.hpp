@@ -25,6 +25,8 @@ struct GBufferPixel {
     float f90 = 0.0f;
     glm::vec3 emission{0.0f};
     float occlusion = 0.0f;
+    glm::vec3 sheenColor{0.0f};
+    float sheenRoughness = 0.0f;
     float distance = 0.0f;  ///< Along the camera's axis, metres.
 };
 

@@ -8,8 +8,8 @@
 namespace polylume {
 
 GeometryPass::GeometryPass(const gl::Functions& gl, const gl::ShaderLibrary& library,
-                           const GpuScene& scene)
-    : gl_(gl), scene_(scene), programs_(gl, library, "passes/gbuffer.frag") {
+                           const GpuScene& scene, const GBuffer& gbuffer)
+    : gl_(gl), scene_(scene), programs_(gl, library, "passes/gbuffer.frag", gbuffer.defines()) {
     const std::vector<scene::Instance>& instances = scene_.scene().instances;
     for (int i = 0; i < static_cast<int>(instances.size()); ++i) {
         const scene::Material& material = scene_.materialOf(instances[static_cast<std::size_t>(i)]);

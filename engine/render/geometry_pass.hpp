@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "render/gbuffer.hpp"
 #include "render/gpu_scene.hpp"
 #include "render/material_variant.hpp"
 
@@ -13,8 +14,9 @@ namespace polylume {
 /// Writes opaque and masked surfaces into the bound G-buffer.
 class GeometryPass {
   public:
-    /// Keeps references to all three.
-    GeometryPass(const gl::Functions& gl, const gl::ShaderLibrary& library, const GpuScene& scene);
+    /// For G-buffers with the attachments of `gbuffer`. Keeps references to the first three.
+    GeometryPass(const gl::Functions& gl, const gl::ShaderLibrary& library, const GpuScene& scene,
+                 const GBuffer& gbuffer);
 
     /// The camera block is bound.
     void draw();

@@ -16,6 +16,7 @@ shared::MaterialData packMaterial(const scene::Material& material) {
     data.baseColorFactor = material.baseColorFactor;
     data.emissiveFactor = glm::vec4(material.emissiveFactor, 0.0f);
     data.specularColorFactor = glm::vec4(material.specularColorFactor, material.specularFactor);
+    data.sheenFactor = glm::vec4(material.sheenColorFactor, material.sheenRoughnessFactor);
     data.metallicFactor = material.metallicFactor;
     data.roughnessFactor = material.roughnessFactor;
     data.normalScale = material.normalScale;

@@ -11,19 +11,20 @@ namespace {
 constexpr unsigned kAlphaMaskBit = 1u << shared::kMaterialSlotCount;
 
 constexpr std::array kSlotDefines = {
-    "POLYLUME_BASE_COLOR_TEXTURE",    "POLYLUME_METALLIC_ROUGHNESS_TEXTURE",
-    "POLYLUME_NORMAL_TEXTURE",        "POLYLUME_OCCLUSION_TEXTURE",
-    "POLYLUME_EMISSIVE_TEXTURE",      "POLYLUME_SPECULAR_TEXTURE",
-    "POLYLUME_SPECULAR_COLOR_TEXTURE"};
+    "POLYLUME_BASE_COLOR_TEXTURE",     "POLYLUME_METALLIC_ROUGHNESS_TEXTURE",
+    "POLYLUME_NORMAL_TEXTURE",         "POLYLUME_OCCLUSION_TEXTURE",
+    "POLYLUME_EMISSIVE_TEXTURE",       "POLYLUME_SPECULAR_TEXTURE",
+    "POLYLUME_SPECULAR_COLOR_TEXTURE", "POLYLUME_SHEEN_COLOR_TEXTURE",
+    "POLYLUME_SHEEN_ROUGHNESS_TEXTURE"};
 static_assert(kSlotDefines.size() == shared::kMaterialSlotCount);
 
 }  // namespace
 
 std::array<const scene::TextureSlot*, shared::kMaterialSlotCount> textureSlots(
     const scene::Material& material) {
-    return {&material.baseColor,    &material.metallicRoughness, &material.normal,
-            &material.occlusion,    &material.emissive,          &material.specular,
-            &material.specularColor};
+    return {&material.baseColor,     &material.metallicRoughness, &material.normal,
+            &material.occlusion,     &material.emissive,          &material.specular,
+            &material.specularColor, &material.sheenColor,        &material.sheenRoughness};
 }
 
 unsigned materialVariant(const scene::Material& material) {

@@ -14,7 +14,7 @@
 
 namespace polylume {
 
-/// The seven slots in the order of the shader's units (kBaseColorSlot, ...).
+/// The slots in the order of the shader's units (kBaseColorSlot, ...).
 std::array<const scene::TextureSlot*, shared::kMaterialSlotCount> textureSlots(
     const scene::Material& material);
 

@@ -38,12 +38,11 @@ double measureLuminance(const FloatImage& image, const GBuffer& gbuffer) {
 }  // namespace
 
 RenderedImage renderScene(Context& context, const gl::ShaderLibrary& library,
-                          const ltc::Table& table, const scene::Scene& scene,
-                          const scene::Camera& camera, const RenderOptions& options,
-                          Progress& progress) {
+                          const scene::Scene& scene, const scene::Camera& camera,
+                          const RenderOptions& options, Progress& progress) {
     const gl::Functions& gl = context.functions();
     checkOptions(gl, options);
-    FrameRenderer renderer(gl, library, table, scene, camera, options);
+    FrameRenderer renderer(gl, library, scene, camera, options);
     context.debugLog().checkNoErrors("preparing the scene");
 
     int done = 0;

@@ -22,6 +22,9 @@ struct RenderOptions {
     glm::ivec2 size{1280, 720};
     int sampleCount = 4;  ///< Jittered frames that are averaged.
     Lobes lobes = Lobes::all;
+    /// In place of the built-in one that `model` names.
+    std::optional<ltc::Table> specularTable;
+    LightingModel model;    ///< Whether it has sheen follows the scene.
     LightSet extraLights;   ///< Beside the scene's own: polygons with holes, single two-sided ones.
     bool twoSided = false;  ///< Every area light emits from both sides.
     bool hideLights = false;  ///< The camera does not see area lights.
@@ -41,8 +44,7 @@ struct RenderedImage {
 /// Draws `scene` as `camera` sees it, with `context` current. Throws Error where OpenGL reports
 /// one, where the size is over the driver's limit, or a light is invalid.
 RenderedImage renderScene(Context& context, const gl::ShaderLibrary& library,
-                          const ltc::Table& table, const scene::Scene& scene,
-                          const scene::Camera& camera, const RenderOptions& options,
-                          Progress& progress);
+                          const scene::Scene& scene, const scene::Camera& camera,
+                          const RenderOptions& options, Progress& progress);
 
 }  // namespace polylume

@@ -20,10 +20,10 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<std::string_view, 8> kKnownExtensions{
-    "EXT_lights_area",       "KHR_lights_punctual",    "KHR_materials_emissive_strength",
-    "KHR_materials_ior",     "KHR_materials_specular", "KHR_materials_unlit",
-    "KHR_mesh_quantization", "KHR_texture_transform"};
+constexpr std::array<std::string_view, 9> kKnownExtensions{
+    "EXT_lights_area",     "KHR_lights_punctual",   "KHR_materials_emissive_strength",
+    "KHR_materials_ior",   "KHR_materials_sheen",   "KHR_materials_specular",
+    "KHR_materials_unlit", "KHR_mesh_quantization", "KHR_texture_transform"};
 
 bool isKnownExtension(std::string_view name) {
     return std::find(kKnownExtensions.begin(), kKnownExtensions.end(), name) !=

@@ -123,11 +123,14 @@ const JsonSchema kEmissiveStrength{number("emissiveStrength", 0.0)};
 const JsonSchema kSpecular{number("specularFactor"), object("specularTexture", kTextureInfo),
                            numbers("specularColorFactor", 3),
                            object("specularColorTexture", kTextureInfo)};
+const JsonSchema kSheen{numbers("sheenColorFactor", 3), object("sheenColorTexture", kTextureInfo),
+                        number("sheenRoughnessFactor"),
+                        object("sheenRoughnessTexture", kTextureInfo)};
 const JsonSchema kIor{number("ior")};
-const JsonSchema kMaterialExtensions{object("KHR_materials_emissive_strength", kEmissiveStrength),
-                                     object("KHR_materials_specular", kSpecular),
-                                     object("KHR_materials_ior", kIor),
-                                     object("KHR_materials_unlit", kEmpty)};
+const JsonSchema kMaterialExtensions{
+    object("KHR_materials_emissive_strength", kEmissiveStrength),
+    object("KHR_materials_specular", kSpecular), object("KHR_materials_ior", kIor),
+    object("KHR_materials_sheen", kSheen), object("KHR_materials_unlit", kEmpty)};
 const JsonSchema kMetallicRoughness{numbers("baseColorFactor", 4),
                                     object("baseColorTexture", kTextureInfo),
                                     number("metallicFactor"), number("roughnessFactor"),

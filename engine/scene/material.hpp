@@ -64,6 +64,11 @@ struct Material {
     glm::vec3 specularColorFactor{1.0f};
     TextureSlot specularColor;  ///< sRGB.
 
+    glm::vec3 sheenColorFactor{0.0f};  ///< KHR_materials_sheen; black for a material without.
+    TextureSlot sheenColor;            ///< sRGB.
+    float sheenRoughnessFactor = 0.0f;
+    TextureSlot sheenRoughness;  ///< Alpha.
+
     AlphaMode alphaMode = AlphaMode::opaque;
     float alphaCutoff = 0.5f;
     bool doubleSided = false;

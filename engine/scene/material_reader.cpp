@@ -136,7 +136,25 @@ void MaterialReader::readExtensions(const tinygltf::Material& source, const std:
         material.specularColor =
             extensionSlot(*specular, "specularColorTexture", ColorSpace::srgb, here);
     }
+    if (const auto* sheen = findExtension(source.extensions, "KHR_materials_sheen")) {
+        readSheen(*sheen, where + ".KHR_materials_sheen", material);
+    }
     material.unlit = findExtension(source.extensions, "KHR_materials_unlit") != nullptr;
+}
+
+void MaterialReader::readSheen(const tinygltf::Value& sheen, const std::string& where,
+                               Material& material) {
+    const auto color = vectorOr(sheen, "sheenColorFactor", glm::vec3(0.0f));
+    for (int i = 0; i < 3; ++i) {
+        material.sheenColorFactor[i] = clamped(color[i], 0.0, 1.0, where + ".sheenColorFactor");
+    }
+    // Black is no sheen, whatever its textures say; they are left where they are.
+    if (material.sheenColorFactor == glm::vec3(0.0f)) return;
+    material.sheenColor = extensionSlot(sheen, "sheenColorTexture", ColorSpace::srgb, where);
+    material.sheenRoughnessFactor = clamped(numberOr(sheen, "sheenRoughnessFactor", 0.0), 0.0, 1.0,
+                                            where + ".sheenRoughnessFactor");
+    material.sheenRoughness =
+        extensionSlot(sheen, "sheenRoughnessTexture", ColorSpace::linear, where);
 }
 
 template <typename Info>

@@ -33,6 +33,7 @@ class MaterialReader {
                                const std::string& where, Material& material);
     void readExtensions(const tinygltf::Material& source, const std::string& where,
                         Material& material);
+    void readSheen(const tinygltf::Value& sheen, const std::string& where, Material& material);
 
     /// `Info` is any of tinygltf's texture infos.
     template <typename Info>

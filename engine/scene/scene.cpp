@@ -3,6 +3,8 @@
 
 #include "scene/scene.hpp"
 
+#include <algorithm>
+
 namespace polylume::scene {
 
 Bounds Scene::bounds() const {
@@ -14,6 +16,12 @@ Bounds Scene::bounds() const {
         }
     }
     return bounds;
+}
+
+bool Scene::hasSheen() const {
+    return std::ranges::any_of(materials, [](const Material& material) {
+        return material.sheenColorFactor != glm::vec3(0.0f);
+    });
 }
 
 }  // namespace polylume::scene

@@ -89,6 +89,8 @@ struct Scene {
 
     /// Of all instances, in world space.
     Bounds bounds() const;
+    /// Whether any material has a sheen colour.
+    bool hasSheen() const;
 };
 
 }  // namespace polylume::scene

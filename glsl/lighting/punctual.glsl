@@ -1,23 +1,34 @@
 // SPDX-FileCopyrightText: 2026 The Polylume authors
 // SPDX-License-Identifier: MIT
 
+#include "brdf/angles.glsl"
+#include "brdf/beckmann.glsl"
+#include "brdf/burley.glsl"
+#include "brdf/charlie.glsl"
+#include "brdf/ggx.glsl"
+#include "brdf/oren_nayar.glsl"
 #include "lighting/light.glsl"
 #include "surface/surface.glsl"
 
-// Lights without extent, by GGX itself: height-correlated Smith (Heitz 2014, eq. 99) and Schlick's Fresnel (1994).
+// Lights without extent, by the BRDFs themselves, with Schlick's Fresnel (1994).
 
-/// f cos(theta_l) of the specular lobe without Fresnel.
-float ggxSpecular(float alpha, vec3 normal, vec3 halfway, float cosView, float cosLight) {
-    float a2 = alpha * alpha;
-    // The sine from the cross product: 1 - cos^2 has no digits left where a smooth lobe has its peak.
-    vec3 sine = cross(normal, halfway);
-    float cosine = dot(normal, halfway);
-    // At least a2 for a unit vector; light from straight behind has no half vector.
-    float base = max(cosine * cosine * a2 + dot(sine, sine), a2);
-    float distribution = a2 / (3.14159265 * base * base);
-    float lambdaView = cosLight * sqrt(cosView * cosView * (1.0 - a2) + a2);
-    float lambdaLight = cosView * sqrt(cosLight * cosLight * (1.0 - a2) + a2);
-    return distribution * cosLight * 0.5 / (lambdaView + lambdaLight);
+float specularEvaluate(BrdfAngles angles, float roughness) {
+#ifdef POLYLUME_SPECULAR_BECKMANN
+    return beckmannEvaluate(angles, roughness);
+#else
+    return ggxEvaluate(angles, roughness);
+#endif
+}
+
+/// With a base colour of 1.
+float diffuseEvaluate(BrdfAngles angles, float roughness) {
+#if defined(POLYLUME_DIFFUSE_BURLEY)
+    return burleyEvaluate(angles, roughness);
+#elif defined(POLYLUME_DIFFUSE_OREN_NAYAR)
+    return orenNayarEvaluate(angles, roughness);
+#else
+    return angles.cosLight * 0.318309886;
+#endif
 }
 
 /// Illuminance without the cosine, in lux, and the unit direction to the light.
@@ -36,19 +47,17 @@ vec3 punctualIlluminance(PunctualData light, vec3 positionWorld, out vec3 toLigh
     return light.intensity.rgb * (window * cone * cone / square);
 }
 
-/// Adds one light's diffuse irradiance over pi and its reflected specular radiance.
-void addPunctual(PunctualData light, Surface surface, inout vec3 diffuse, inout vec3 specular) {
+/// Adds what the surface reflects of one light.
+void addPunctual(PunctualData light, Surface surface, inout Reflection reflection) {
     vec3 toLight;
     vec3 illuminance = punctualIlluminance(light, surface.positionWorld, toLight);
-    float cosView = clamp(dot(surface.normalWorld, surface.viewWorld), 1e-4, 1.0);
-    float cosLight = max(dot(surface.normalWorld, toLight), 0.0);
-    vec3 sum = toLight + surface.viewWorld;
-    vec3 halfway = sum * inversesqrt(max(dot(sum, sum), 1e-12));
-    float cosViewHalf = clamp(dot(surface.viewWorld, halfway), 0.0, 1.0);
-    // The floor of the table's own GGX (tables/README.md).
-    float alpha = max(surface.roughness * surface.roughness, 1e-4);
-    float lobe = cosLight > 0.0 ? ggxSpecular(alpha, surface.normalWorld, halfway, cosView, cosLight) : 0.0;
-    float weight = pow(1.0 - cosViewHalf, 5.0);
-    diffuse += illuminance * (cosLight * 0.318309886);
-    specular += illuminance * lobe * mix(surface.f0, vec3(surface.f90), weight);
+    BrdfAngles angles = brdfAngles(surface.normalWorld, surface.viewWorld, toLight);
+    illuminance = angles.cosLight > 0.0 ? illuminance : vec3(0.0);
+    angles.cosLight = max(angles.cosLight, 1e-7);
+    vec3 fresnel = mix(surface.f0, vec3(surface.f90), pow(1.0 - angles.cosViewHalf, 5.0));
+    reflection.diffuse += illuminance * diffuseEvaluate(angles, surface.roughness);
+    reflection.specular += illuminance * specularEvaluate(angles, surface.roughness) * fresnel;
+#ifdef POLYLUME_SHEEN
+    reflection.sheen += illuminance * charlieEvaluate(angles, surface.sheenRoughness);
+#endif
 }

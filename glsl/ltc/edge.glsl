@@ -8,17 +8,8 @@
 /// z of the cross product a x b.
 float ltcCrossZ(vec3 a, vec3 b) { return a.x * b.y - a.y * b.x; }
 
-/// theta / sin(theta) for the angle between the unit vectors `a` and `b`, 0 to pi, relative error below 1e-6, no acos.
-///
-/// With y = cos(theta / 2) = |a + b| / 2 the half-angle formulas give theta / sin(theta) = w(y) / y, where
-/// w(y) = acos(y) / sqrt(1 - y^2) is smooth on all of [0, 1]. Taking y from the sum of the vectors keeps the digits near
-/// theta = pi, where a dot product loses them. The polynomial is w's minimax fit for the relative error (7e-8).
-float ltcThetaOverSinTheta(vec3 a, vec3 b) {
-    vec3 sum = a + b;
-    // Opposite vectors: the edge passes through the origin, and its cross product, a factor of the result, is zero.
-    float square = max(dot(sum, sum), 1e-14);
-    float inverseLength = inversesqrt(square);
-    float y = 0.5 * square * inverseLength;
+/// w(y) = acos(y) / sqrt(1 - y^2) for y from 0 to 1, where it is smooth: the minimax fit for the relative error (7e-8).
+float ltcHalfAngleRatio(float y) {
     float w = 0.0174789969;
     w = w * y - 0.0972654596;
     w = w * y + 0.252086997;
@@ -28,7 +19,30 @@ float ltcThetaOverSinTheta(vec3 a, vec3 b) {
     w = w * y + 0.784880996;
     w = w * y - 0.999981523;
     w = w * y + 1.57079625;
-    return w * 2.0 * inverseLength;
+    return w;
+}
+
+/// theta / sin(theta) for the angle between the unit vectors `a` and `b`, 0 to pi, relative error below 1e-6, no acos.
+///
+/// With y = cos(theta / 2) = |a + b| / 2 the half-angle formulas give theta / sin(theta) = w(y) / y. Taking y from the sum
+/// of the vectors keeps the digits near theta = pi, where a dot product loses them.
+float ltcThetaOverSinTheta(vec3 a, vec3 b) {
+    vec3 sum = a + b;
+    // Opposite vectors: the edge passes through the origin, and its cross product, a factor of the result, is zero.
+    float square = max(dot(sum, sum), 1e-14);
+    float inverseLength = inversesqrt(square);
+    float y = 0.5 * square * inverseLength;
+    return ltcHalfAngleRatio(y) * 2.0 * inverseLength;
+}
+
+/// The angle between `a` and `b`, neither of them unit: w(y) |a - b| of the unit vectors. For edges whose plane is known:
+/// right up to opposite directions, where a cross product has no digits left.
+float ltcAngle(vec3 a, vec3 b) {
+    vec3 unitA = a * inversesqrt(max(dot(a, a), 1e-30));
+    vec3 unitB = b * inversesqrt(max(dot(b, b), 1e-30));
+    vec3 sum = unitA + unitB;
+    vec3 difference = unitA - unitB;
+    return ltcHalfAngleRatio(min(0.5 * sqrt(dot(sum, sum)), 1.0)) * sqrt(dot(difference, difference));
 }
 
 /// theta * n.z of the edge from `a` to `b`, neither of them unit, where `crossZ` is the z of a x b. The caller computes

@@ -4,7 +4,9 @@
 #include "ltc/edge.glsl"
 #include "ltc/lobe.glsl"
 
-// A polygon of any number of vertices, streamed edge by edge, so nothing is stored and there is no limit.
+// A polygon of any number of vertices, streamed edge by edge, so nothing is stored and there is no limit. One
+// LtcPolygon clips it at the surface and sums it for the cosine; each lobe has an LtcPolygonImage, fed with the clipped
+// edges.
 //
 // A contour that is clipped closes along the horizon, from where it leaves to where it comes back. On the horizon only
 // angles count, and closing edges that overlap cancel: it does as well to go from each point of leaving to one reference
@@ -14,14 +16,30 @@
 
 /// The state between two edges.
 struct LtcPolygon {
-    vec3 vertex;          ///< The last vertex, in the shading frame,
-    vec3 image;           ///< and where M^-1 puts it.
-    vec2 reference;       ///< Unit direction along the surface to the light's plane,
-    vec2 imageReference;  ///< and along z = 0 to the image of that plane.
-    float cosine;         ///< The sums over the edges so far.
-    float lobe;
-    vec2 surfaceTurn;     ///< The closing angles so far, as complex numbers of length 1: angles of entering less those of
-    vec2 lobeTurn;        ///< leaving.
+    vec3 vertex;     ///< The last vertex, in the shading frame.
+    vec2 reference;  ///< Unit direction along the surface to the light's plane.
+    float sum;       ///< Over the edges so far.
+    vec2 turn;       ///< The closing angles so far, as a complex number of length 1: of entering less those of leaving.
+};
+
+/// The same after M^-1 of a lobe.
+struct LtcPolygonImage {
+    vec3 vertex;
+    vec2 reference;  ///< Along z = 0 to the image of the light's plane.
+    float sum;
+    vec2 turn;
+};
+
+/// An edge that the surface has clipped.
+struct LtcPolygonEdge {
+    vec3 last;          ///< The vertex that it ends at, clipped or not.
+    vec2 crossing;      ///< Where it crosses the surface's plane, or no length.
+    vec2 target;        ///< The point of the polygon's reference direction that is as far away.
+    float closingTurn;  ///< Of the closing stretch between the two: 1 counter-clockwise, -1 clockwise, 0 none.
+    bool isEdge;        ///< False for the step to a new contour.
+    bool leaves;
+    bool enters;
+    float share;        ///< Of its length above the surface.
 };
 
 vec2 ltcUnitOr(vec2 v, vec2 fallback) {
@@ -39,20 +57,15 @@ vec2 ltcTurn(vec2 turn, vec2 reference, vec2 direction, bool back) {
 }
 
 /// `toPlane` points from the shaded point at the light's plane, in the shading frame, unit.
-LtcPolygon ltcBeginPolygon(vec3 toPlane, LtcLobe lobe) {
-    LtcPolygon polygon;
-    polygon.vertex = vec3(0.0, 0.0, 1.0);
-    polygon.image = vec3(0.0, 0.0, 1.0);
-    polygon.reference = ltcUnitOr(toPlane.xy, vec2(1.0, 0.0));
+LtcPolygon ltcBeginPolygon(vec3 toPlane) {
+    return LtcPolygon(vec3(0.0, 0.0, 1.0), ltcUnitOr(toPlane.xy, vec2(1.0, 0.0)), 0.0, vec2(1.0, 0.0));
+}
+
+LtcPolygonImage ltcBeginImage(vec3 toPlane, LtcLobe lobe) {
     // Normals transform by the transpose of M; its common factor 1 / det is positive.
     float det = lobe.m11 * lobe.m33 - lobe.m13 * lobe.m31;
-    polygon.imageReference =
-        ltcUnitOr(vec2(lobe.m33 * toPlane.x - lobe.m31 * toPlane.z, det * toPlane.y), vec2(1.0, 0.0));
-    polygon.cosine = 0.0;
-    polygon.lobe = 0.0;
-    polygon.surfaceTurn = vec2(1.0, 0.0);
-    polygon.lobeTurn = vec2(1.0, 0.0);
-    return polygon;
+    vec2 reference = ltcUnitOr(vec2(lobe.m33 * toPlane.x - lobe.m31 * toPlane.z, det * toPlane.y), vec2(1.0, 0.0));
+    return LtcPolygonImage(vec3(0.0, 0.0, 1.0), reference, 0.0, vec2(1.0, 0.0));
 }
 
 /// Where a clipped edge crosses the horizon, or no length.
@@ -60,53 +73,57 @@ vec2 ltcCrossingOf(LtcClippedEdge clipped) {
     return clipped.leaves ? clipped.last.xy : (clipped.enters ? clipped.first.xy : vec2(0.0));
 }
 
-/// Clips a stretch after M^-1, from `a` to `b` = a + edge, to z >= 0 and adds its integral; `zA`, `zB` are the heights of
-/// its ends and `crossZ` the z of a x edge.
-void ltcAddImageEdge(vec3 a, vec3 b, vec3 edge, float crossZ, float zA, float zB, inout LtcPolygon polygon) {
-    LtcClippedEdge clipped = ltcClipEdge(a, b, edge, zA, zB);
-    polygon.lobe += ltcEdgeIntegral(clipped.first, clipped.last, clipped.share * crossZ);
-    polygon.lobeTurn = ltcTurn(polygon.lobeTurn, polygon.imageReference, ltcCrossingOf(clipped), clipped.leaves);
-}
-
-/// Goes on to the vertex `p`, relative to the shaded point and in the shading frame. With `isEdge` false a contour begins
-/// there; otherwise the edge from the last vertex to it is added. A contour ends with its first vertex again.
-void ltcAddVertex(vec3 p, bool isEdge, LtcLobe lobe, inout LtcPolygon polygon) {
+/// Goes on to the vertex `p`, relative to the shaded point and in the shading frame, and gives the edge to it for
+/// ltcAddImageEdge(). With `isEdge` false a contour begins there. A contour ends with its first vertex again.
+LtcPolygonEdge ltcAddVertex(vec3 p, bool isEdge, inout LtcPolygon polygon) {
     p = ltcSnapToHorizon(p);
     // The step to another contour is an edge of no length.
     vec3 from = isEdge ? polygon.vertex : p;
-    vec3 image = ltcTransform(lobe, p);
-    vec3 fromImage = isEdge ? polygon.image : image;
     vec3 edge = p - from;
-    vec3 imageEdge = image - fromImage;
-
     LtcClippedEdge clipped = ltcClipEdge(from, p, edge, from.z, p.z);
-    polygon.cosine += ltcEdgeIntegral(clipped.first, clipped.last, clipped.share * ltcCrossZ(from, edge));
+    polygon.sum += ltcEdgeIntegral(clipped.first, clipped.last, clipped.share * ltcCrossZ(from, edge));
     vec2 crossing = ltcCrossingOf(clipped);
-    polygon.surfaceTurn = ltcTurn(polygon.surfaceTurn, polygon.reference, crossing, clipped.leaves);
-
-    // What is left of the edge, after M^-1.
-    vec3 imageCrossing = ltcTransformHorizontal(lobe, crossing);
-    vec3 first = clipped.enters ? imageCrossing : fromImage;
-    vec3 last = clipped.leaves ? imageCrossing : image;
-    bool isKept = clipped.share > 0.0;
-    ltcAddImageEdge(first, last, clipped.share * imageEdge, clipped.share * ltcCrossZ(fromImage, imageEdge),
-                    isKept ? first.z : 0.0, isKept ? last.z : 0.0, polygon);
-
-    // The closing stretch between the crossing and the reference, after M^-1.
-    vec3 imageTarget = ltcTransformHorizontal(lobe, length(crossing) * polygon.reference);
-    vec3 start = clipped.leaves ? imageCrossing : imageTarget;
-    vec3 end = clipped.leaves ? imageTarget : imageCrossing;
-    ltcAddImageEdge(start, end, end - start, ltcCrossZ(start, end), start.z, end.z, polygon);
-
+    polygon.turn = ltcTurn(polygon.turn, polygon.reference, crossing, clipped.leaves);
     polygon.vertex = p;
-    polygon.image = image;
+    vec2 target = length(crossing) * polygon.reference;
+    float turn = sign(ltcCrossZ(vec3(crossing, 0.0), vec3(target, 0.0)));
+    return LtcPolygonEdge(p, crossing, target, clipped.leaves ? turn : -turn, isEdge, clipped.leaves, clipped.enters,
+                          clipped.share);
 }
 
-/// As ltcParallelogram() returns them, of all contours.
-vec2 ltcFormFactors(LtcPolygon polygon, LtcLobe lobe) {
-    vec3 axis = vec3(1.0, 0.0, 0.0);
-    float cosine = polygon.cosine + ltcEdgeIntegral(axis, vec3(polygon.surfaceTurn, 0.0), polygon.surfaceTurn.y);
-    float image = polygon.lobe + ltcEdgeIntegral(axis, vec3(polygon.lobeTurn, 0.0), polygon.lobeTurn.y);
-    const float kMinusInverse2Pi = -0.159154943;
-    return kMinusInverse2Pi * vec2(cosine, image / lobe.upperShare);
+/// Adds an edge of ltcAddVertex(), all of them in their order, to the image that `lobe` makes of the polygon.
+void ltcAddImageEdge(LtcPolygonEdge edge, LtcLobe lobe, inout LtcPolygonImage image) {
+    vec3 to = ltcTransform(lobe, edge.last);
+    vec3 from = edge.isEdge ? image.vertex : to;
+    vec3 whole = to - from;
+
+    // What is left of the edge.
+    vec3 crossing = ltcTransformHorizontal(lobe, edge.crossing);
+    vec3 first = edge.enters ? crossing : from;
+    vec3 last = edge.leaves ? crossing : to;
+    bool isKept = edge.share > 0.0;
+    LtcClippedEdge clipped =
+        ltcClipEdge(first, last, edge.share * whole, isKept ? first.z : 0.0, isKept ? last.z : 0.0);
+    image.sum += ltcEdgeIntegral(clipped.first, clipped.last, clipped.share * edge.share * ltcCrossZ(from, whole));
+    image.turn = ltcTurn(image.turn, image.reference, ltcCrossingOf(clipped), clipped.leaves);
+
+    // The closing stretch between the crossing and the reference, whose plane is known. A smooth lobe at a grazing view
+    // can make it all but opposite directions, of which no cross product would tell the plane.
+    vec3 target = ltcTransformHorizontal(lobe, edge.target);
+    vec3 start = edge.leaves ? crossing : target;
+    vec3 end = edge.leaves ? target : crossing;
+    clipped = ltcClipEdge(start, end, end - start, start.z, end.z);
+    image.sum += edge.closingTurn * lobe.surfaceZ * ltcAngle(clipped.first, clipped.last);
+    image.turn = ltcTurn(image.turn, image.reference, ltcCrossingOf(clipped), clipped.leaves);
+    image.vertex = to;
 }
+
+/// -(sum + closing angle) / 2 pi.
+float ltcClosedSum(float sum, vec2 turn) {
+    const float kMinusInverse2Pi = -0.159154943;
+    return kMinusInverse2Pi * (sum + ltcEdgeIntegral(vec3(1.0, 0.0, 0.0), vec3(turn, 0.0), turn.y));
+}
+
+/// As ltcCosineFactor() and ltcLobeFactor() of a parallelogram, of all contours.
+float ltcCosineFactor(LtcPolygon polygon) { return ltcClosedSum(polygon.sum, polygon.turn); }
+float ltcLobeFactor(LtcPolygonImage image, LtcLobe lobe) { return lobe.weight * ltcClosedSum(image.sum, image.turn); }

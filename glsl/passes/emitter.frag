@@ -39,5 +39,7 @@ void main() {
     surface.f90 = 0.0;
     surface.emission = emitter.radiance.rgb;
     surface.occlusion = 1.0;
+    surface.sheenColor = vec3(0.0);
+    surface.sheenRoughness = 0.0;
     writeGBuffer(surface);
 }

@@ -12,13 +12,16 @@ const uint kParallelogramBinding = 0;
 const uint kPolygonBinding = 1;
 const uint kPolygonVertexBinding = 2;
 const uint kPunctualBinding = 3;
-const uint kTableMatricesUnit = 8;
-const uint kTableAlbedosUnit = 9;
+const uint kSpecularTableUnit = 10;
+const uint kDiffuseTableUnit = 11;
+const uint kSheenTableUnit = 12;
 
 /// What holds for the whole pass.
 struct LightingData {
-    uvec4 lightCount;  ///< Parallelograms, polygons, punctual lights; w unused.
-    vec4 lobeWeight;   ///< What is added up: diffuse, specular, emission, each 0 or 1; w unused.
+    uvec4 lightCount;     ///< Parallelograms, polygons, punctual lights; w unused.
+    vec4 lobeWeight;      ///< What is added up: diffuse, specular and sheen, emission, each 0 or 1; w unused.
+    vec4 lobeReferences;  ///< Of ltcPlace(): xy of the specular table, zw of the diffuse one.
+    vec4 sheenReference;  ///< xy; zw unused.
 };
 
 /// Emits from the side where corner, corner + edgeX, corner + edgeX + edgeY, ... turn counter-clockwise.
@@ -54,6 +57,7 @@ layout(std430, binding = kPolygonBinding) readonly buffer PolygonBlock { Polygon
 /// World positions; w is 1 where a contour begins. A contour ends with its first vertex again.
 layout(std430, binding = kPolygonVertexBinding) readonly buffer PolygonVertexBlock { vec4 polygonVertices[]; };
 layout(std430, binding = kPunctualBinding) readonly buffer PunctualBlock { PunctualData punctuals[]; };
-layout(binding = kTableMatricesUnit) uniform sampler2D tableMatrices;
-layout(binding = kTableAlbedosUnit) uniform sampler2D tableAlbedos;
+layout(binding = kSpecularTableUnit) uniform sampler2DArray specularTable;
+layout(binding = kDiffuseTableUnit) uniform sampler2DArray diffuseTable;
+layout(binding = kSheenTableUnit) uniform sampler2DArray sheenTable;
 #endif

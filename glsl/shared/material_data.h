@@ -17,12 +17,15 @@ const uint kOcclusionSlot = 3;
 const uint kEmissiveSlot = 4;
 const uint kSpecularSlot = 5;
 const uint kSpecularColorSlot = 6;
-const uint kMaterialSlotCount = 7;
+const uint kSheenColorSlot = 7;
+const uint kSheenRoughnessSlot = 8;
+const uint kMaterialSlotCount = 9;
 
 struct MaterialData {
     vec4 baseColorFactor;
     vec4 emissiveFactor;       ///< Nits; w unused.
     vec4 specularColorFactor;  ///< w: specularFactor.
+    vec4 sheenFactor;          ///< RGB: colour, w: roughness.
     float metallicFactor;
     float roughnessFactor;
     float normalScale;
@@ -31,7 +34,7 @@ struct MaterialData {
     float alphaCutoff;
     float unlit;        ///< 1 or 0
     float padding;
-    vec4 uvRows[14];    ///< Two a slot: rows of the affine transform; w of the first is the texture coordinate set.
+    vec4 uvRows[18];    ///< Two a slot: rows of the affine transform; w of the first is the texture coordinate set.
 };
 
 #ifdef __cplusplus

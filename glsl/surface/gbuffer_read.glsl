@@ -10,6 +10,9 @@ layout(binding = 1) uniform sampler2D gbufferDiffuseRoughness;
 layout(binding = 2) uniform sampler2D gbufferSpecular;
 layout(binding = 3) uniform sampler2D gbufferEmission;
 layout(binding = 4) uniform sampler2D gbufferDepth;
+#ifdef POLYLUME_SHEEN
+layout(binding = 5) uniform sampler2D gbufferSheen;
+#endif
 
 Surface readGBuffer(ivec2 pixel) {
     vec2 ndc = (vec2(pixel) + 0.5) / vec2(textureSize(gbufferDepth, 0)) * 2.0 - 1.0;
@@ -32,5 +35,11 @@ Surface readGBuffer(ivec2 pixel) {
     surface.f90 = specular.w;
     surface.emission = emission.xyz;
     surface.occlusion = emission.w;
+    vec4 sheen = vec4(0.0);
+#ifdef POLYLUME_SHEEN
+    sheen = texelFetch(gbufferSheen, pixel, 0);
+#endif
+    surface.sheenColor = sheen.xyz;
+    surface.sheenRoughness = sheen.w;
     return surface;
 }

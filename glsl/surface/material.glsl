@@ -24,6 +24,8 @@ layout(binding = kOcclusionSlot) uniform sampler2D occlusionTexture;
 layout(binding = kEmissiveSlot) uniform sampler2D emissiveTexture;
 layout(binding = kSpecularSlot) uniform sampler2D specularTexture;
 layout(binding = kSpecularColorSlot) uniform sampler2D specularColorTexture;
+layout(binding = kSheenColorSlot) uniform sampler2D sheenColorTexture;
+layout(binding = kSheenRoughnessSlot) uniform sampler2D sheenRoughnessTexture;
 
 vec2 slotUv(uint slot) {
     vec4 row0 = material.uvRows[2u * slot];
@@ -87,6 +89,13 @@ Surface materialSurface(vec4 baseColor) {
 #ifdef POLYLUME_SPECULAR_COLOR_TEXTURE
     specularColor *= texture(specularColorTexture, slotUv(kSpecularColorSlot)).rgb;
 #endif
+    vec4 sheen = material.sheenFactor;
+#ifdef POLYLUME_SHEEN_COLOR_TEXTURE
+    sheen.rgb *= texture(sheenColorTexture, slotUv(kSheenColorSlot)).rgb;
+#endif
+#ifdef POLYLUME_SHEEN_ROUGHNESS_TEXTURE
+    sheen.a *= texture(sheenRoughnessTexture, slotUv(kSheenRoughnessSlot)).a;
+#endif
 
     Surface surface;
     surface.positionWorld = fragment.positionWorld;
@@ -102,5 +111,7 @@ Surface materialSurface(vec4 baseColor) {
     surface.f90 = lit * mix(specular, 1.0, metallic);
     surface.emission = material.unlit > 0.5 ? max(baseColor.rgb, 0.0) : emission;
     surface.occlusion = occlusion;
+    surface.sheenColor = lit * sheen.rgb;
+    surface.sheenRoughness = sheen.a;
     return surface;
 }

@@ -13,7 +13,8 @@
 #include "support/test_scenes.hpp"
 
 // The cost of the lighting pass at 1280x720 on a floor that fills the picture: nanoseconds per
-// pixel and light, diffuse and specular, less the pass without lights. Run with
+// pixel and light, diffuse and specular, less the pass without lights; by Model with one lobe or
+// two, a diffuse table, sheen. Run with
 // POLYLUME_BENCH_BACKEND=egl|osmesa to choose the backend.
 namespace {
 
@@ -52,22 +53,39 @@ LightSet makeLights(int count, int sides) {
     return lights;
 }
 
-RenderOptions makeOptions() {
+/// What is shaded with, by the benchmark's last argument.
+enum Model { standard, high, burley, everything, sheenElsewhere };
+
+RenderOptions makeOptions(int model) {
     RenderOptions options;
     options.size = kSize;
     options.hideLights = true;
+    if (model == high || model == everything) options.model.quality = Quality::high;
+    if (model == burley || model == everything) options.model.diffuse = Diffuse::burley;
     return options;
+}
+
+/// A floor, with `everything` of cloth; with `sheenElsewhere` another surface, out of sight, is.
+scene::Scene makeScene(int model) {
+    scene::Scene scene = test::makeScene(test::makeFloor(50.0f), 0.4f, 0.0f, glm::vec3(0.6f));
+    if (model != everything && model != sheenElsewhere) return scene;
+    scene::Material cloth = scene.materials.front();
+    cloth.sheenColorFactor = glm::vec3(0.5f);
+    cloth.sheenRoughnessFactor = 0.4f;
+    if (model == everything) scene.materials.front() = cloth;
+    if (model == sheenElsewhere) scene.materials.push_back(cloth);
+    return scene;
 }
 
 struct LitFloor {
     gl::ShaderLibrary library;
-    scene::Scene scene = test::makeScene(test::makeFloor(50.0f), 0.4f, 0.0f, glm::vec3(0.6f));
+    scene::Scene scene;
     scene::Camera camera = test::makeCamera({0.0f, 3.0f, 4.0f}, {0.0f, 0.0f, 0.0f});
-    RenderOptions options = makeOptions();
-    FrameRenderer renderer{
-        context().functions(), library, ltc::Table::builtinGgx(), scene, camera, options};
+    FrameRenderer renderer;
 
-    LitFloor(int lightCount, int sides) {
+    LitFloor(int lightCount, int sides, int model)
+        : scene(makeScene(model)),
+          renderer(context().functions(), library, scene, camera, makeOptions(model)) {
         renderer.lighting().setLights(makeLights(lightCount, sides));
         renderer.drawFrame({0.5, 0.5});
         context().functions().Finish();
@@ -80,8 +98,8 @@ struct LitFloor {
 };
 
 /// Nanoseconds a pixel of the pass without lights.
-double baseline() {
-    LitFloor floor(0, 4);
+double baseline(int model) {
+    LitFloor floor(0, 4, model);
     double best = 1e30;
     for (int i = 0; i < 20; ++i) {
         const auto start = std::chrono::steady_clock::now();
@@ -95,8 +113,9 @@ double baseline() {
 
 void lightFloor(benchmark::State& state) {
     const int lightCount = static_cast<int>(state.range(0));
-    const double withoutLights = baseline();
-    LitFloor floor(lightCount, static_cast<int>(state.range(1)));
+    const int model = static_cast<int>(state.range(2));
+    const double withoutLights = baseline(model);
+    LitFloor floor(lightCount, static_cast<int>(state.range(1)), model);
     double nanoseconds = 0.0;
     for (auto _ : state) {
         const auto start = std::chrono::steady_clock::now();
@@ -113,12 +132,11 @@ void lightFloor(benchmark::State& state) {
 }
 
 BENCHMARK(lightFloor)
-    ->ArgNames({"lights", "sides"})
-    ->ArgsProduct({{1, 4, 16, 64}, {4}})
-    ->Args({4, 3})
-    ->Args({4, 5})
-    ->Args({4, 16})
-    ->Args({4, 64})
+    ->ArgNames({"lights", "sides", "model"})
+    ->ArgsProduct({{1, 4, 16, 64}, {4}, {standard}})
+    ->ArgsProduct({{4}, {3, 5, 16, 64}, {standard}})
+    ->ArgsProduct({{16}, {4}, {high, burley, everything, sheenElsewhere}})
+    ->ArgsProduct({{4}, {5}, {high, everything}})
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond);
 

@@ -35,7 +35,7 @@ TEST_F(UsageTest, helpListsTheCommands) {
     EXPECT_EQ(outcome.exitCode, 0);
     EXPECT_THAT(outcome.error, IsEmpty());
     EXPECT_THAT(outcome.output,
-                AllOf(HasSubstr("render"), HasSubstr("info"), HasSubstr("fit"),
+                AllOf(HasSubstr("render"), HasSubstr("info"), HasSubstr("fit"), HasSubstr("table"),
                       HasSubstr("--verbose"), HasSubstr("--quiet"), HasSubstr("Exit codes")));
 }
 
@@ -50,7 +50,8 @@ TEST_F(UsageTest, helpOfEachCommandShowsExamples) {
     }
     const Outcome fit = runCommand({"fit", "--help"});
     EXPECT_EQ(fit.exitCode, 0);
-    EXPECT_THAT(fit.output, AllOf(HasSubstr("Example:"), HasSubstr("polylume fit --brdf ggx")));
+    EXPECT_THAT(fit.output, AllOf(HasSubstr("Examples:"), HasSubstr("polylume fit --brdf ggx"),
+                                  HasSubstr("oren-nayar"), HasSubstr("merl:FILE")));
     EXPECT_EQ(runCommand({"info", "--help"}).exitCode, 0);
 }
 

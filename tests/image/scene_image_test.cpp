@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "gl/support/gl_test.hpp"
 #include "image/image_io.hpp"
@@ -13,6 +14,7 @@
 #include "scene/default_lighting.hpp"
 #include "scene/framing.hpp"
 #include "scene/gltf_reader.hpp"
+#include "support/test_scenes.hpp"
 
 namespace polylume {
 namespace {
@@ -33,13 +35,15 @@ std::string cpuFeatures() {
     return features;
 }
 
-FloatImage render(Context& context, const scene::Scene& scene, glm::ivec2 size, int sampleCount) {
+FloatImage render(Context& context, const scene::Scene& scene, glm::ivec2 size, int sampleCount,
+                  const LightingModel& model = {}) {
     RenderOptions options;
+    options.model = model;
     options.size = size;
     options.sampleCount = sampleCount;
     Progress progress;
-    return renderScene(context, gl::ShaderLibrary(), ltc::Table::builtinGgx(), scene,
-                       scene.cameras.front(), options, progress)
+    return renderScene(context, gl::ShaderLibrary(), scene, scene.cameras.front(), options,
+                       progress)
         .image;
 }
 
@@ -52,8 +56,9 @@ class SceneImageTest : public test::GlTest {
         checkAgainstReference(name, scene::readGltf(kSceneDir / (name + ".glb")));
     }
 
-    void checkAgainstReference(const std::string& name, const scene::Scene& scene) {
-        FloatImage image = render(context(), scene, {128, 72}, 4);
+    void checkAgainstReference(const std::string& name, const scene::Scene& scene,
+                               const LightingModel& model = {}) {
+        FloatImage image = render(context(), scene, {128, 72}, 4, model);
         const std::string renderer = context().info().renderer;
         image.metadata = {{"polylume:renderer", renderer}, {"polylume:cpuFeatures", cpuFeatures()}};
         const std::filesystem::path path = kReferenceDir / (name + ".exr");
@@ -93,6 +98,55 @@ TEST_P(SceneImageTest, matchesReferenceStudio) {
 }
 TEST_P(SceneImageTest, matchesReferenceCornell) {
     checkSample("cornell");
+}
+
+TEST_P(SceneImageTest, matchesReferenceGalleryHigh) {
+    checkAgainstReference("gallery_high", scene::readGltf(kSceneDir / "gallery.glb"),
+                          {.quality = Quality::high});
+}
+
+/// Balls of cloth, from a fine sheen to a broad one, on rough plaster, by everything that is not a
+/// default.
+scene::Scene makeClothScene() {
+    scene::Scene scene = test::makeScene(test::makeFloor(6.0f), 0.7f, 0.0f, glm::vec3(0.5f));
+    const scene::Mesh sphere = test::makeSphere(24);
+    for (int i = 0; i < 4; ++i) {
+        scene::Material cloth;
+        cloth.baseColorFactor = {0.3f, 0.05f, 0.1f, 1.0f};
+        cloth.metallicFactor = 0.0f;
+        cloth.roughnessFactor = 0.9f;
+        cloth.sheenColorFactor = {1.0f, 0.8f, 0.9f};
+        cloth.sheenRoughnessFactor = 0.1f + 0.3f * static_cast<float>(i);
+        scene::Mesh mesh = sphere;
+        mesh.material = static_cast<int>(scene.materials.size());
+        scene::Instance instance;
+        instance.mesh = static_cast<int>(scene.meshes.size());
+        instance.worldFromObject =
+            glm::translate(glm::mat4(1.0f), {2.2f * static_cast<float>(i) - 3.3f, 1.0f, 0.0f});
+        scene.materials.push_back(cloth);
+        scene.meshes.push_back(mesh);
+        scene.instances.push_back(instance);
+    }
+    scene.cameras.push_back(test::makeCamera({0.0f, 2.5f, 8.0f}, {0.0f, 0.8f, 0.0f}, 0.6f));
+    scene::AreaLight light;
+    light.center = {-2.0f, 4.0f, -2.0f};
+    light.size = {4.0f, 2.0f};
+    light.radiance = glm::vec3(2000.0f);
+    const glm::vec3 z = glm::normalize(light.center);
+    const glm::vec3 x = glm::normalize(glm::cross(glm::vec3(0, 1, 0), z));
+    light.worldFromLight = glm::mat3(x, glm::cross(z, x), z);
+    scene.areaLights.push_back(light);
+    scene::PunctualLight lamp;
+    lamp.position = {4.0f, 3.0f, 4.0f};
+    lamp.intensity = {3000.0f, 2500.0f, 2000.0f};
+    scene.punctualLights.push_back(lamp);
+    return scene;
+}
+
+TEST_P(SceneImageTest, matchesReferenceCloth) {
+    checkAgainstReference(
+        "cloth", makeClothScene(),
+        {.specular = Specular::beckmann, .diffuse = Diffuse::orenNayar, .quality = Quality::high});
 }
 
 /// Where both backends draw by llvmpipe, they draw the same bits.

@@ -38,6 +38,8 @@ constexpr ImageLibrary kLibrary = {
                     std::vector<std::byte>& file) -> std::string {
         return messageOf([&] { file = oiio::encodePng(image, metadata); });
     },
+    .drawText = [](PixelImage& image, std::span<const TextLabel> labels, bool& hasFont)
+        -> std::string { return messageOf([&] { hasFont = oiio::drawText(image, labels); }); },
 };
 
 }  // namespace

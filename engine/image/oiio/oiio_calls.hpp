@@ -24,6 +24,7 @@ PixelImage decode(std::span<const std::byte> encoded, std::string_view name);
 FloatImage read(const std::filesystem::path& path);
 std::vector<std::byte> encodeExr(const FloatImage& image, ExrPrecision precision);
 std::vector<std::byte> encodePng(const PixelImage& image, const ImageMetadata& metadata);
+bool drawText(PixelImage& image, std::span<const TextLabel> labels);
 
 /// Throws Error that names `name` when the image has no pixels, too many, or is not a flat picture.
 void checkSize(const OIIO::ImageSpec& spec, std::string_view name);

@@ -5,9 +5,11 @@
 
 #include <gmock/gmock.h>
 
+#include <map>
 #include <random>
 
 #include "gl/support/gl_test.hpp"
+#include "ltc/builtin_table.hpp"
 #include "shading_harness.hpp"
 
 namespace polylume {
@@ -56,9 +58,9 @@ class LightingPassTest : public test::GlTest {
   protected:
     /// The largest difference to double precision over all points, as a fraction of the largest
     /// value.
-    double largestError(const PolygonLight& light, float roughness, Lobes lobes) {
+    double largestError(const PolygonLight& light, float roughness, Lobes lobes,
+                        const ltc::Table& table = ltc::builtinTable(ltc::BuiltinTable::ggx)) {
         const gl::ShaderLibrary library;
-        const ltc::Table& table = ltc::Table::builtinGgx();
         LightingPass lighting(gl(), library, table);
         lighting.setLobes(lobes);
         lighting.setLights({{light}, {}});
@@ -144,9 +146,69 @@ TEST_P(LightingPassTest, rectangleAndItsPolygonAgree) {
     EXPECT_LT(largestError(split, 0.4f, Lobes::specular), 1e-4);
 }
 
+/// Every `columnStep`-th column and `rowStep`-th row of `table`, from the first on; a step of 0
+/// takes column 40 alone.
+ltc::Table thinOut(const ltc::Table& table, int columnStep, int rowStep) {
+    ltc::TableSize size;
+    size.columns = columnStep == 0 ? 1 : (table.size().columns - 1) / columnStep + 1;
+    size.rows = (table.size().rows - 1) / rowStep + 1;
+    std::vector<float> values;
+    for (int row = 0; row < size.rows; ++row) {
+        for (int column = 0; column < size.columns; ++column) {
+            const int from = columnStep == 0 ? 40 : column * columnStep;
+            const auto node = table.layout().pack(table.node(from, row * rowStep));
+            values.insert(values.end(), node.begin(), node.end());
+        }
+    }
+    return ltc::Table(size, values, table.attributes());
+}
+
+TEST_P(LightingPassTest, tablesOfOtherSizesEqualDoublePrecision) {
+    const PolygonLight light = makeRectangle({-1, -1, 0}, 2.0f * kUp, 3.0f * kRight);
+    for (const ltc::BuiltinTable name : {ltc::BuiltinTable::ggx, ltc::BuiltinTable::ggxTwoLobes}) {
+        const ltc::Table& table = ltc::builtinTable(name);
+        const ltc::Table wide = thinOut(table, 3, 7);
+        EXPECT_EQ(wide.size().columns, 22);
+        EXPECT_EQ(wide.size().rows, 10);
+        EXPECT_LT(largestError(light, 0.4f, Lobes::specular, wide), 1e-4);
+        const ltc::Table single = thinOut(table, 0, 3);
+        EXPECT_EQ(single.size().columns, 1);
+        EXPECT_LT(largestError(light, 0.4f, Lobes::specular, single), 1e-4);
+    }
+}
+
+/// A table as other renderers ship it is uploaded in our own layout.
+TEST_P(LightingPassTest, classicTablesEqualDoublePrecision) {
+    const ltc::Table& own = ltc::builtinTable(ltc::BuiltinTable::ggx);
+    ltc::TableLayout layout;
+    layout.classic = true;
+    std::map<std::string, std::string> attributes = layout.attributes();
+    attributes.insert(own.attributes().begin(), own.attributes().end());
+    constexpr int kNodes = 32;
+    std::vector<float> values;
+    for (int row = 0; row < kNodes; ++row) {
+        const double cosine =
+            std::max(layout.cosThetaView(row / (kNodes - 1.0)), ltc::kMinCosThetaView);
+        for (int column = 0; column < kNodes; ++column) {
+            const ltc::TableEntry entry = own.lookup(column / (kNodes - 1.0), cosine);
+            const ltc::Lobe& lobe = entry.lobes[0];
+            for (const double value :
+                 {lobe.m11, lobe.m13, lobe.m31, lobe.m33, entry.albedo, entry.fresnel}) {
+                values.push_back(static_cast<float>(value));
+            }
+        }
+    }
+    const ltc::Table classic({kNodes, kNodes}, values, attributes);
+    const PolygonLight light = makeRectangle({-1, -1, 0}, 2.0f * kUp, 3.0f * kRight);
+    const double error = largestError(light, 0.4f, Lobes::specular, ltc::nativeTable(classic));
+    EXPECT_LT(error, 1e-4);
+    // It is blended otherwise between its nodes, so its own look-up differs a little.
+    EXPECT_LT(largestError(light, 0.4f, Lobes::specular, classic), 0.02);
+}
+
 TEST_P(LightingPassTest, backIsDarkUnlessTwoSided) {
     const gl::ShaderLibrary library;
-    LightingPass lighting(gl(), library, ltc::Table::builtinGgx());
+    LightingPass lighting(gl(), library);
     ShadingHarness harness(gl(), kSize);
     harness.setPoints(std::vector<ShadingPoint>(static_cast<std::size_t>(harness.pointCount()),
                                                 ShadingPoint{.distance = 4.0f}));
@@ -171,7 +233,7 @@ TEST_P(LightingPassTest, backIsDarkUnlessTwoSided) {
 
 TEST_P(LightingPassTest, lobesAddUp) {
     const gl::ShaderLibrary library;
-    LightingPass lighting(gl(), library, ltc::Table::builtinGgx());
+    LightingPass lighting(gl(), library);
     lighting.setLights({{makeRectangle({-1, -1, 0}, 2.0f * kUp, 3.0f * kRight)}, {}});
     ShadingHarness harness(gl(), kSize);
     harness.setPoints(makePoints(harness.pointCount(), 0.4f, 3));
@@ -188,7 +250,7 @@ TEST_P(LightingPassTest, smallFarLightIsAPointLight) {
     // An area light of radiance L and area A seen head-on from afar is a point light of L A
     // candela.
     const gl::ShaderLibrary library;
-    LightingPass lighting(gl(), library, ltc::Table::builtinGgx());
+    LightingPass lighting(gl(), library);
     ShadingHarness harness(gl(), kSize);
     std::vector<ShadingPoint> points = makePoints(harness.pointCount(), 0.9f, 5);
     for (ShadingPoint& point : points) point.f0 = glm::vec3(0.0f), point.f90 = 0.0f;

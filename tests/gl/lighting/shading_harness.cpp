@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "ltc/builtin_table.hpp"
 #include "ltc/polygon_integral.hpp"
 
 namespace polylume::test {
@@ -36,6 +37,50 @@ ReferenceShading shadeInDouble(const GBufferPixel& pixel, const PolygonLight& li
     const auto bySide = [&](double factor) { return std::max(factor, sign * factor); };
     return {bySide(ltc::formFactor(contours)), bySide(ltc::lobeFormFactor(contours, entry)),
             entry.albedo};
+}
+
+const ltc::Table& specularTableOf(const LightingModel& model) {
+    using ltc::BuiltinTable;
+    const bool high = model.quality == Quality::high;
+    if (model.specular == Specular::beckmann) {
+        return ltc::builtinTable(high ? BuiltinTable::beckmannTwoLobes : BuiltinTable::beckmann);
+    }
+    return ltc::builtinTable(high ? BuiltinTable::ggxTwoLobes : BuiltinTable::ggx);
+}
+
+glm::dvec3 reflectInDouble(const GBufferPixel& pixel, const PolygonLight& light,
+                           const LightingModel& model) {
+    using ltc::BuiltinTable;
+    const ltc::Table& table = specularTableOf(model);
+    const ReferenceShading shading = shadeInDouble(pixel, light, table);
+    const double cosView = std::clamp(glm::dot(glm::normalize(glm::dvec3(pixel.normalWorld)),
+                                               glm::normalize(glm::dvec3(pixel.viewWorld))),
+                                      1e-4, 1.0);
+    const ltc::TableEntry entry = table.lookup(pixel.roughness, cosView);
+    const glm::dvec3 reflectance = glm::dvec3(pixel.f0) * (entry.albedo - entry.fresnel) +
+                                   static_cast<double>(pixel.f90) * entry.fresnel;
+    const double remaining = 1.0 - std::max({reflectance.r, reflectance.g, reflectance.b});
+    double diffuse = shading.diffuse;
+    if (model.diffuse != Diffuse::lambert) {
+        const ReferenceShading rough = shadeInDouble(
+            pixel, light,
+            ltc::builtinTable(model.diffuse == Diffuse::burley ? BuiltinTable::burley
+                                                               : BuiltinTable::orenNayar));
+        diffuse = rough.albedo * rough.specular;
+    }
+    glm::dvec3 sum = std::max(remaining, 0.0) * glm::dvec3(pixel.diffuseAlbedo) * diffuse +
+                     reflectance * shading.specular;
+    if (model.sheen && pixel.sheenColor != glm::vec3(0.0f)) {
+        GBufferPixel cloth = pixel;
+        cloth.roughness = pixel.sheenRoughness;
+        const ReferenceShading sheen =
+            shadeInDouble(cloth, light, ltc::builtinTable(BuiltinTable::charlie));
+        const double albedo = sheen.albedo;
+        const glm::dvec3 color(pixel.sheenColor);
+        sum *= 1.0 - albedo * std::max({color.r, color.g, color.b});
+        sum += albedo * sheen.specular * color;
+    }
+    return sum * glm::dvec3(light.radiance);
 }
 
 }  // namespace polylume::test

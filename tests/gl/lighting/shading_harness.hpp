@@ -22,6 +22,8 @@ struct ShadingPoint {
     glm::vec3 diffuseAlbedo{0.5f};
     glm::vec3 f0{0.04f};
     float f90 = 1.0f;
+    glm::vec3 sheenColor{0.0f};
+    float sheenRoughness = 0.5f;
 };
 
 /// Runs the lighting pass over points that were not drawn but put into the G-buffer, one a pixel,
@@ -29,9 +31,9 @@ struct ShadingPoint {
 /// halfExtent, ..., -distance) exactly.
 class ShadingHarness {
   public:
-    ShadingHarness(const gl::Functions& gl, int size)
+    ShadingHarness(const gl::Functions& gl, int size, bool withSheen = false)
         : gl_(gl),
-          gbuffer_(gl, {size, size}),
+          gbuffer_(gl, {size, size}, withSheen),
           radiance_(gl, GL_RGBA32F, {size, size}, 1, "radiance") {
         scene::Camera camera;
         scene::Orthographic lens;
@@ -54,18 +56,22 @@ class ShadingHarness {
     void setPoints(const std::vector<ShadingPoint>& points) {
         std::vector<glm::vec2> normals;
         std::vector<glm::vec4> diffuse, specular, emission(points.size(), glm::vec4(0, 0, 0, 1));
+        std::vector<glm::vec4> sheen;
         std::vector<float> depths;
         for (const ShadingPoint& point : points) {
             normals.push_back(octahedralEncode(point.normalWorld));
             diffuse.emplace_back(point.diffuseAlbedo, point.roughness);
             specular.emplace_back(point.f0, point.f90);
+            sheen.emplace_back(point.sheenColor, point.sheenRoughness);
             depths.push_back(1.0f - point.distance / 16.0f);
         }
         gbuffer_.texture(0).upload(GL_RG, GL_FLOAT, normals.data());
         gbuffer_.texture(1).upload(GL_RGBA, GL_FLOAT, diffuse.data());
         gbuffer_.texture(2).upload(GL_RGBA, GL_FLOAT, specular.data());
         gbuffer_.texture(3).upload(GL_RGBA, GL_FLOAT, emission.data());
-        gbuffer_.texture(4).upload(GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+        gbuffer_.texture(kDepthAttachment).upload(GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+        if (!gbuffer_.hasSheen()) return;
+        gbuffer_.texture(kSheenAttachment).upload(GL_RGBA, GL_FLOAT, sheen.data());
     }
 
     /// Radiance of every pixel, rows from the top.
@@ -108,5 +114,13 @@ struct ReferenceShading {
 
 ReferenceShading shadeInDouble(const GBufferPixel& pixel, const PolygonLight& light,
                                const ltc::Table& table);
+
+/// The built-in specular table of `model`.
+const ltc::Table& specularTableOf(const LightingModel& model);
+
+/// The whole of shadeSurface() in double but emission: what the surface reflects of one polygon
+/// light by the built-in tables of `model`, in nits.
+glm::dvec3 reflectInDouble(const GBufferPixel& pixel, const PolygonLight& light,
+                           const LightingModel& model);
 
 }  // namespace polylume::test

@@ -43,6 +43,7 @@ const std::vector<Field> kMaterialFields = {
     POLYLUME_FIELD(MaterialData, "material.", baseColorFactor),
     POLYLUME_FIELD(MaterialData, "material.", emissiveFactor),
     POLYLUME_FIELD(MaterialData, "material.", specularColorFactor),
+    POLYLUME_FIELD(MaterialData, "material.", sheenFactor),
     POLYLUME_FIELD(MaterialData, "material.", metallicFactor),
     POLYLUME_FIELD(MaterialData, "material.", roughnessFactor),
     POLYLUME_FIELD(MaterialData, "material.", normalScale),
@@ -51,8 +52,11 @@ const std::vector<Field> kMaterialFields = {
     POLYLUME_FIELD(MaterialData, "material.", alphaCutoff),
     POLYLUME_FIELD(MaterialData, "material.", unlit),
     {"material.uvRows[0]", offsetof(shared::MaterialData, uvRows)}};
-const std::vector<Field> kLightingFields = {POLYLUME_FIELD(LightingData, "lighting.", lightCount),
-                                            POLYLUME_FIELD(LightingData, "lighting.", lobeWeight)};
+const std::vector<Field> kLightingFields = {
+    POLYLUME_FIELD(LightingData, "lighting.", lightCount),
+    POLYLUME_FIELD(LightingData, "lighting.", lobeWeight),
+    POLYLUME_FIELD(LightingData, "lighting.", lobeReferences),
+    POLYLUME_FIELD(LightingData, "lighting.", sheenReference)};
 const std::vector<Field> kEmitterFields = {POLYLUME_FIELD(EmitterData, "emitter.", corner),
                                            POLYLUME_FIELD(EmitterData, "emitter.", edgeX),
                                            POLYLUME_FIELD(EmitterData, "emitter.", edgeY),
@@ -135,7 +139,8 @@ TEST_P(SharedBlockTest, uniformBlocksLieAsInCpp) {
 TEST_P(SharedBlockTest, lightBuffersLieAsInCpp) {
     const gl::Program lighting(
         gl(), library_, "passes/fullscreen.vert", "passes/lighting.frag",
-        std::vector<std::string>{"POLYLUME_POLYGON_LIGHTS", "POLYLUME_PUNCTUAL_LIGHTS"},
+        std::vector<std::string>{"POLYLUME_POLYGON_LIGHTS", "POLYLUME_PUNCTUAL_LIGHTS",
+                                 "POLYLUME_DIFFUSE_BURLEY", "POLYLUME_SHEEN"},
         "lighting");
     EXPECT_EQ(countMatches(lighting, GL_UNIFORM, kLightingFields),
               static_cast<int>(kLightingFields.size()));

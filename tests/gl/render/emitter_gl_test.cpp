@@ -209,12 +209,12 @@ TEST_P(EmitterTest, aHoleShowsWhatIsBehind) {
         if (reversed) {
             for (auto& contour : light.contours) std::ranges::reverse(contour);
         }
-        LightingPass lighting(gl(), library(), table());
+        LightingPass lighting(gl(), library());
         lighting.setLights({{light}, {}});
         const EmitterPass emitters(gl(), library(), lighting);
         const GpuScene gpuScene(gl(), scene);
-        GeometryPass geometry(gl(), library(), gpuScene);
         const GBuffer gbuffer(gl(), {kSize, kSize});
+        GeometryPass geometry(gl(), library(), gpuScene, gbuffer);
         const shared::CameraData camera =
             makeCameraData(test::makeFrontCamera(), {kSize, kSize}, {0.5, 0.5});
         const gl::Buffer block(gl(), gl::bytesOf(camera), 0, "camera");

@@ -188,8 +188,10 @@ TEST_P(GBufferTest, aovsAreItsLayers) {
         ASSERT_EQ(channel(i, "roughness.Y"), pixel.roughness);
         ASSERT_EQ(channel(i, "f90.Y"), pixel.f90);
         ASSERT_EQ(channel(i, "occlusion.Y"), pixel.occlusion);
+        ASSERT_EQ(vector("sheen", "RGB"), pixel.sheenColor);
+        ASSERT_EQ(channel(i, "sheenRoughness.Y"), pixel.sheenRoughness);
     }
-    EXPECT_EQ(image.channelCount(), 4u + 5 * 3 + 4);
+    EXPECT_EQ(image.channelCount(), 4u + 6 * 3 + 5);
 }
 
 TEST_P(GBufferTest, anUnknownAovIsNamed) {

@@ -3,6 +3,8 @@
 
 #include <cstring>
 
+#include "gl/lighting/shading_harness.hpp"
+#include "render/scene_lights.hpp"
 #include "render_fixture.hpp"
 
 namespace polylume {
@@ -96,6 +98,48 @@ TEST_P(MaterialTest, occlusionStrengthBlendsTowardOne) {
     EXPECT_NEAR(draw().occlusion, 0.625f, 1e-5f);
     material().occlusionStrength = 0.0f;
     EXPECT_EQ(draw().occlusion, 1.0f);
+}
+
+TEST_P(MaterialTest, sheenIsFactorTimesTexture) {
+    const GBufferPixel bare = draw();
+    EXPECT_EQ(bare.sheenColor, glm::vec3(0.0f));
+    material().sheenColorFactor = {0.8f, 0.4f, 0.2f};
+    material().sheenRoughnessFactor = 0.5f;
+    const GBufferPixel factors = draw();
+    expectNear(factors.sheenColor, {0.8f, 0.4f, 0.2f}, kStep);
+    EXPECT_NEAR(factors.sheenRoughness, 0.5f, kStep);
+    material().sheenColor.texture = addTexel({0.5f, 0.25f, 1.0f, 0.1f});
+    material().sheenRoughness.texture = addTexel({0.1f, 0.1f, 0.1f, 0.4f});
+    const GBufferPixel textured = draw();
+    expectNear(textured.sheenColor, {0.4f, 0.1f, 0.2f}, 1e-4f);
+    EXPECT_NEAR(textured.sheenRoughness, 0.2f, 1e-4f);
+    // What else the surface is has not changed.
+    EXPECT_EQ(textured.roughness, bare.roughness);
+    EXPECT_EQ(textured.f0, bare.f0);
+    material().unlit = true;
+    EXPECT_EQ(draw().sheenColor, glm::vec3(0.0f));
+}
+
+TEST_P(MaterialTest, sheenIsOverWhatIsBelow) {
+    // A rough metal that faces a light: the sheen's part and the rest, by the built-in tables.
+    scene_ = test::makeScene(test::makeQuad(1.0f), 0.6f, 1.0f, {0.9f, 0.6f, 0.3f});
+    scene_.areaLights.push_back(
+        test::makeRectangleLight({1, 2, 2}, {-1, -2, -2}, {2, 1}, {1000, 800, 600}));
+    material().sheenColorFactor = {0.2f, 0.5f, 1.0f};
+    material().sheenRoughnessFactor = 0.4f;
+    const LightSet lights = lightsOf(scene_, false);
+    const GBufferPixel pixel = draw();
+    const glm::dvec3 expected =
+        test::reflectInDouble(pixel, lights.polygons.front(), {.sheen = true});
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(radiance_[c], expected[c], 1e-5 * expected.r);
+    // As a transparent surface that covers fully, it is the same.
+    const glm::vec4 opaque = radiance_;
+    material().alphaMode = scene::AlphaMode::blend;
+    const Frame blended = drawFrame(scene_, test::makeFrontCamera(), test::makeOptions({2, 2}));
+    // Its material does not pass the G-buffer's 16 bits.
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(blended.radiance.front()[c], opaque[c], 1e-4f * opaque.r);
+    }
 }
 
 TEST_P(MaterialTest, occlusionDimsNoDirectLight) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gl/support/gl_test.hpp"
+#include "ltc/builtin_table.hpp"
 #include "render/frame_renderer.hpp"
 #include "render/gbuffer_readback.hpp"
 #include "render/renderer.hpp"
@@ -26,7 +27,7 @@ class RenderTest : public GlTest {
     /// place of the scene's; the camera does not see them then.
     Frame drawFrame(const scene::Scene& scene, const scene::Camera& camera,
                     const RenderOptions& options, const LightSet* lights = nullptr) {
-        FrameRenderer renderer(gl(), library_, table(), scene, camera, options);
+        FrameRenderer renderer(gl(), library_, scene, camera, options);
         if (lights != nullptr) renderer.lighting().setLights(*lights);
         renderer.drawFrame({0.5, 0.5});
         renderer.accumulate();
@@ -43,11 +44,11 @@ class RenderTest : public GlTest {
     RenderedImage render(const scene::Scene& scene, const scene::Camera& camera,
                          const RenderOptions& options) {
         Progress progress;
-        return renderScene(context(), library_, table(), scene, camera, options, progress);
+        return renderScene(context(), library_, scene, camera, options, progress);
     }
 
     const gl::ShaderLibrary& library() const { return library_; }
-    static const ltc::Table& table() { return ltc::Table::builtinGgx(); }
+    static const ltc::Table& table() { return ltc::builtinTable(ltc::BuiltinTable::ggx); }
 
   private:
     gl::ShaderLibrary library_;

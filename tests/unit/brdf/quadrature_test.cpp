@@ -38,5 +38,25 @@ TEST(Quadrature, tanhSinhIntegratesRootsThatAreVerticalAtTheEnds) {
     EXPECT_NEAR(integrate(tanhSinh(96), inverseRoot), 2.0, 1e-6);
 }
 
+TEST(Quadrature, crowdedGaussLegendreIntegratesTheSame) {
+    const auto power = [](double x) { return std::pow(x, 5); };
+    // A polynomial of degree 17 after the substitution.
+    EXPECT_NEAR(integrate(crowdedGaussLegendre(9), power), 1.0 / 6.0, 1e-14);
+    // A step of width 1e-3 at the end: the plain rule of as many nodes steps over it.
+    const auto layer = [](double x) { return x / (x + 1e-3); };
+    const double expected = 1.0 - 1e-3 * std::log(1001.0);
+    EXPECT_NEAR(integrate(crowdedGaussLegendre(32), layer), expected, 1e-6);
+    EXPECT_GT(std::abs(integrate(gaussLegendre(32), layer) - expected), 1e-5);
+}
+
+TEST(Quadrature, spreadBetweenSharesNodesByLength) {
+    const std::vector<QuadratureNode> rule = spreadBetween(gaussLegendre, 16, {0.0, 0.5, 0.5, 2.0});
+    EXPECT_EQ(rule.size(), 16u);
+    const auto kink = [](double x) { return std::abs(x - 0.5); };
+    EXPECT_NEAR(integrate(rule, kink), 0.125 + 1.125, 1e-14);
+    // An eighth at least.
+    EXPECT_EQ(spreadBetween(gaussLegendre, 16, {0.0, 1e-6, 1.0}).size(), 18u);
+}
+
 }  // namespace
 }  // namespace polylume::brdf

@@ -95,13 +95,37 @@ TEST(GlslValidationTest, everyLightVariantIsValid) {
     EXPECT_EQ(validate("passes/lighting.frag", all), "");
 }
 
+TEST(GlslValidationTest, everyModelVariantIsValid) {
+    const std::vector<std::string> all = {
+        "POLYLUME_TWO_LOBES",      "POLYLUME_SPECULAR_BECKMANN",
+        "POLYLUME_DIFFUSE_BURLEY", "POLYLUME_DIFFUSE_OREN_NAYAR",
+        "POLYLUME_SHEEN",
+    };
+    for (const std::string& define : all) {
+        EXPECT_EQ(validate("passes/lighting.frag", {define}), "") << define;
+        for (const std::string lights : {"POLYLUME_POLYGON_LIGHTS", "POLYLUME_PUNCTUAL_LIGHTS"}) {
+            EXPECT_EQ(validate("passes/lighting.frag", {define, lights}), "") << define << lights;
+        }
+        EXPECT_EQ(validate("passes/blend.frag", {define}), "") << define;
+    }
+    for (const char* path : {"passes/gbuffer.frag", "passes/emitter.frag"}) {
+        EXPECT_EQ(validate(path, {"POLYLUME_SHEEN"}), "") << path;
+    }
+    for (const std::string& diffuse : {all[2], all[3]}) {
+        EXPECT_EQ(validate("passes/lighting.frag",
+                           {all[0], all[1], diffuse, all[4], "POLYLUME_POLYGON_LIGHTS",
+                            "POLYLUME_PUNCTUAL_LIGHTS"}),
+                  "");
+    }
+}
+
 TEST(GlslValidationTest, everyMaterialSlotIsValid) {
     for (unsigned bit = 0; bit <= shared::kMaterialSlotCount; ++bit) {
         EXPECT_EQ(validate("passes/gbuffer.frag", variantDefines(1u << bit)), "") << bit;
     }
-    EXPECT_EQ(validate("passes/gbuffer.frag", variantDefines(0xFF)), "");
-    EXPECT_EQ(validate("passes/blend.frag", variantDefines(0x7F)), "");
-    std::vector<std::string> defines = variantDefines(0x7F);
+    EXPECT_EQ(validate("passes/gbuffer.frag", variantDefines(0x3FF)), "");
+    EXPECT_EQ(validate("passes/blend.frag", variantDefines(0x1FF)), "");
+    std::vector<std::string> defines = variantDefines(0x1FF);
     defines.insert(defines.end(), {"POLYLUME_POLYGON_LIGHTS", "POLYLUME_PUNCTUAL_LIGHTS"});
     EXPECT_EQ(validate("passes/blend.frag", defines), "");
 }

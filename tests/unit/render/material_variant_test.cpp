@@ -35,6 +35,8 @@ TEST(MaterialVariantTest, eachTextureHasItsOwn) {
         {&scene::Material::emissive, "POLYLUME_EMISSIVE_TEXTURE"},
         {&scene::Material::specular, "POLYLUME_SPECULAR_TEXTURE"},
         {&scene::Material::specularColor, "POLYLUME_SPECULAR_COLOR_TEXTURE"},
+        {&scene::Material::sheenColor, "POLYLUME_SHEEN_COLOR_TEXTURE"},
+        {&scene::Material::sheenRoughness, "POLYLUME_SHEEN_ROUGHNESS_TEXTURE"},
     };
     std::set<unsigned> variants;
     for (const auto& [slot, define] : slots) {
@@ -56,6 +58,8 @@ TEST(MaterialVariantTest, slotsStandAtTheShadersUnits) {
     EXPECT_EQ(slots[shared::kEmissiveSlot], &material.emissive);
     EXPECT_EQ(slots[shared::kSpecularSlot], &material.specular);
     EXPECT_EQ(slots[shared::kSpecularColorSlot], &material.specularColor);
+    EXPECT_EQ(slots[shared::kSheenColorSlot], &material.sheenColor);
+    EXPECT_EQ(slots[shared::kSheenRoughnessSlot], &material.sheenRoughness);
 }
 
 TEST(MaterialVariantTest, maskIsCompiledInAndBlendIsNot) {

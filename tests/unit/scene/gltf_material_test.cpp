@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "core/error.hpp"
 #include "unit/scene/gltf_builder.hpp"
 
 namespace polylume::scene::test {
@@ -91,6 +92,74 @@ TEST(GltfMaterialTest, clampsFactorsOutOfRangeWithAWarning) {
     EXPECT_THAT(log.messages,
                 ElementsAre(HasSubstr("metallicFactor is -1"), HasSubstr("roughnessFactor is 7"),
                             HasSubstr("\"GLOW\"")));
+}
+
+json makeSheen(json sheen) {
+    return {{"extensions", {{"KHR_materials_sheen", std::move(sheen)}}}};
+}
+
+TEST(GltfMaterialTest, readsSheen) {
+    const Material material = withMaterial(makeSheen({{"sheenColorFactor", {0.5, 0.25, 1}},
+                                                      {"sheenRoughnessFactor", 0.3}}))
+                                  .read()
+                                  .materials.at(0);
+    EXPECT_EQ(material.sheenColorFactor, glm::vec3(0.5f, 0.25f, 1.0f));
+    EXPECT_EQ(material.sheenRoughnessFactor, 0.3f);
+    // Black by default, which is no sheen.
+    const Scene bare = withMaterial(makeSheen({{"sheenRoughnessFactor", 0.3}})).read();
+    EXPECT_EQ(bare.materials.at(0).sheenColorFactor, glm::vec3(0.0f));
+    EXPECT_FALSE(bare.hasSheen());
+}
+
+TEST(GltfMaterialTest, readsTheTexturesOfSheenWhereItHasAColor) {
+    const json textures = {{"sheenColorTexture", {{"index", 0}}},
+                           {"sheenRoughnessTexture", {{"index", 0}}}};
+    json colored = textures;
+    colored["sheenColorFactor"] = {1, 1, 1};
+    GltfBuilder builder = withMaterial(makeSheen(colored));
+    addTexture(builder, json::object());
+    const Scene scene = builder.read();
+    const Material& material = scene.materials.at(0);
+    EXPECT_TRUE(scene.hasSheen());
+    EXPECT_EQ(scene.textures.at(material.sheenColor.texture).colorSpace, ColorSpace::srgb);
+    EXPECT_EQ(scene.textures.at(material.sheenRoughness.texture).colorSpace, ColorSpace::linear);
+
+    GltfBuilder black = withMaterial(makeSheen(textures));
+    addTexture(black, json::object());
+    EXPECT_THAT(black.read().images, IsEmpty());
+}
+
+TEST(GltfMaterialTest, clampsSheenOutOfRangeWithAWarning) {
+    const WarningLog log;
+    const Material material =
+        withMaterial(makeSheen({{"sheenColorFactor", {2, -1, 0.5}}, {"sheenRoughnessFactor", 7}}))
+            .read()
+            .materials.at(0);
+    EXPECT_EQ(material.sheenColorFactor, glm::vec3(1.0f, 0.0f, 0.5f));
+    EXPECT_EQ(material.sheenRoughnessFactor, 1.0f);
+    EXPECT_THAT(log.messages,
+                ElementsAre(HasSubstr("KHR_materials_sheen.sheenColorFactor is 2"),
+                            HasSubstr("KHR_materials_sheen.sheenColorFactor is -1"),
+                            HasSubstr("KHR_materials_sheen.sheenRoughnessFactor is 7")));
+}
+
+TEST(GltfMaterialTest, namesSheenOfTheWrongType) {
+    const std::pair<json, const char*> cases[] = {
+        {{{"sheenColorFactor", {1, 1}}}, "sheenColorFactor"},
+        {{{"sheenColorFactor", "white"}}, "sheenColorFactor"},
+        {{{"sheenRoughnessFactor", {0.5}}}, "sheenRoughnessFactor"},
+        {{{"sheenColorTexture", {{"index", 7}}}}, "sheenColorTexture"},
+        {{{"sheenRoughnessTexture", json::object()}}, "sheenRoughnessTexture"},
+    };
+    for (const auto& [sheen, name] : cases) {
+        try {
+            withMaterial(makeSheen(sheen)).read();
+            ADD_FAILURE() << sheen;
+        } catch (const Error& error) {
+            EXPECT_THAT(error.what(), HasSubstr(name));
+            EXPECT_THAT(error.what(), HasSubstr("expected"));
+        }
+    }
 }
 
 TEST(GltfMaterialTest, readsTexturesOfEverySlotOncePerColorSpace) {

@@ -1,0 +1,284 @@
+// SPDX-FileCopyrightText: 2026 The Polylume authors
+// SPDX-License-Identifier: MIT
+
+#include "fit/grid_fit.hpp"
+
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "fit/lobe_model.hpp"
+#include "fit/moment_fit.hpp"
+#include "fit/node_fit.hpp"
+
+namespace polylume::fit {
+namespace {
+
+// Coarse first, for a wide basin, then close to the L1 distance.
+constexpr double kCoarseSmoothing = 0.3;
+constexpr double kFineSmoothing = 0.05;
+
+/// How the error at a node counts against that in the middle of the cells around it.
+constexpr double kNodeWeight = 1.0 / 3.0;
+constexpr double kCellWeight = 1.0 - kNodeWeight;
+
+constexpr int kSweepCount = 4;
+
+// How much it counts that a node is near the one that its fit begins with, along the first column
+// and from column to column, and in a sweep that it is in the middle of its neighbours. The figures
+// are those that keep two lobes of GGX on one branch, at a cost in L1 of 0.001.
+constexpr double kFirstSmoothness = 0.04;
+constexpr double kNextSmoothness = 0.2;
+constexpr double kSweepSmoothness = 1.0;
+
+NodeGoal goalOf(const GridPlan& plan, int row, double smoothing) {
+    NodeGoal goal;
+    goal.lobeCount = plan.layout.lobeCount;
+    goal.freedom = row == 0 ? LobeFreedom::round : LobeFreedom::any;
+    goal.smoothing = smoothing;
+    return goal;
+}
+
+class GridFit {
+  public:
+    GridFit(const brdf::Brdf& brdf, const GridPlan& plan)
+        : brdf_(brdf),
+          plan_(plan),
+          nodes_(plan.nodeCount()),
+          nodeSamples_(plan.nodeCount()),
+          momentWidths_(plan.nodeCount()),
+          cellColumns_(std::max(plan.size.columns - 1, 1)),
+          cellSamples_(static_cast<std::size_t>(cellColumns_) * (plan.size.rows - 1)) {}
+
+    /// Fits a middle column from the normal view on, and from there column by column to both
+    /// sides, each node from what its neighbour ended with: several lobes are about equally good at
+    /// grazing views, and the whole table should hold one kind.
+    void start(const StepCallback& step) {
+        tbb::parallel_for(0, plan_.size.columns, [&](int column) { sampleColumn(column); });
+        const int seed = plan_.size.columns / 2;
+        for (int row = 0; row < plan_.size.rows; ++row) {
+            const std::size_t index = indexOf(seed, row);
+            startNode(seed, row,
+                      row == 0 ? firstNode(seed) : predict(indexOf(seed, row - 1), index),
+                      kFirstSmoothness);
+        }
+        step();
+        const auto march = [&](int direction, int count) {
+            for (int i = 1; i <= count; ++i) {
+                const int column = seed + direction * i;
+                tbb::parallel_for(0, plan_.size.rows, [&](int row) {
+                    startNode(column, row,
+                              predict(indexOf(column - direction, row), indexOf(column, row)),
+                              kNextSmoothness);
+                });
+                step();
+            }
+        };
+        tbb::parallel_invoke([&] { march(-1, seed); },
+                             [&] { march(1, plan_.size.columns - 1 - seed); });
+    }
+
+    /// Nodes that share a cell are never moved at the same time.
+    void sweep(const StepCallback& step) {
+        for (int color = 0; color < 4; ++color) {
+            const int firstRow = color / 2;
+            const int firstColumn = color % 2;
+            tbb::parallel_for(0, (plan_.size.rows - firstRow + 1) / 2, [&](int i) {
+                const int row = firstRow + 2 * i;
+                for (int column = firstColumn; column < plan_.size.columns; column += 2) {
+                    moveNode(column, row);
+                }
+            });
+            step();
+        }
+    }
+
+    std::vector<ltc::TableNode> takeNodes() { return std::move(nodes_); }
+
+  private:
+    std::size_t indexOf(int column, int row) const {
+        return static_cast<std::size_t>(row) * plan_.size.columns + column;
+    }
+    const LobeSamples& cellOf(int column, int row) const {
+        return cellSamples_[static_cast<std::size_t>(row) * cellColumns_ + column];
+    }
+
+    void sampleColumn(int column) {
+        for (int row = 0; row < plan_.size.rows; ++row) {
+            const std::size_t index = indexOf(column, row);
+            nodeSamples_[index] = sampleLobe(brdf_, plan_.roughness(column),
+                                             plan_.cosThetaView(row), plan_.resolution);
+            const ltc::LobeAxis axis = plan_.axis(column, row);
+            momentWidths_[index] =
+                ltc::encode(momentLobe(nodeSamples_[index], axis), axis).rootWidth;
+            if (row + 1 == plan_.size.rows || column >= cellColumns_) continue;
+            cellSamples_[static_cast<std::size_t>(row) * cellColumns_ + column] =
+                sampleLobe(brdf_, plan_.roughness(column + 0.5), plan_.cosThetaView(row + 0.5),
+                           plan_.resolution);
+        }
+    }
+
+    /// A node as its neighbour's lobes promise it: made wider by as much as the samples are, and
+    /// leaning by as much of its width where lobes follow the mirror direction.
+    ltc::TableNode predict(std::size_t from, std::size_t to) const {
+        ltc::TableNode node = nodes_[from];
+        const double ratio = momentWidths_[to] / momentWidths_[from];
+        for (ltc::LobeCode& code : node.codes) {
+            code.rootWidth *= ratio;
+            if (plan_.layout.reference == ltc::LobeReference::mirror) code.tilt *= ratio * ratio;
+        }
+        return node;
+    }
+
+    /// Where the fit of a column begins: at the normal view, in closed form, or, if that ends
+    /// better, from two lobes that are about the best one.
+    ltc::TableNode firstNode(int column) const {
+        const LobeSamples& samples = nodeSamples_[indexOf(column, 0)];
+        const FitTerm term{&samples, plan_.axis(column, 0), 1.0, 1.0, zeroNode()};
+        const auto fitFrom = [&](const ltc::TableNode& start) {
+            return fitNode(fitNode(start, {&term, 1}, goalOf(plan_, 0, kCoarseSmoothing)),
+                           {&term, 1}, goalOf(plan_, 0, kFineSmoothing));
+        };
+        const ltc::TableNode moments = fitFrom(momentNode(samples, plan_.layout, term.axis));
+        if (plan_.layout.lobeCount == 1) return moments;
+        ltc::TableLayout single = plan_.layout;
+        single.lobeCount = 1;
+        ltc::TableNode split = momentNode(samples, single, term.axis);
+        split.codes[1] = split.codes[0];
+        split.codes[0].rootWidth *= 0.9;
+        split.codes[1].rootWidth *= 1.1;
+        split.share2 = 0.5;
+        split = fitFrom(split);
+        const auto errorOf = [&](const ltc::TableNode& node) {
+            return lobeError(samples, plan_.layout.decode(node, plan_.roughness(column), 1.0));
+        };
+        return errorOf(split) < errorOf(moments) - 1e-6 ? split : moments;
+    }
+
+    void startNode(int column, int row, ltc::TableNode from, double smoothness) {
+        const FitTerm term{&nodeSamples_[indexOf(column, row)], plan_.axis(column, row), 1.0, 1.0,
+                           zeroNode()};
+        NodeGoal goal = goalOf(plan_, row, kFineSmoothing);
+        if (!isUsable(from, plan_.layout.lobeCount, term.axis)) {
+            from = momentNode(*term.samples, plan_.layout, term.axis);
+        }
+        // Two lobes leave directions in which next to nothing changes: no need to go far there.
+        goal.wishes = {from};
+        goal.smoothness = smoothness;
+        nodes_[indexOf(column, row)] = fitNode(from, {&term, 1}, goal);
+    }
+
+    /// The term of the cell between this node and the next in the directions given, +1 or -1.
+    FitTerm cellTerm(int column, int row, int columnStep, int rowStep) const {
+        const int cellColumn = std::min(column, column + columnStep);
+        const int cellRow = std::min(row, row + rowStep);
+        FitTerm term{&cellOf(cellColumn, cellRow),
+                     plan_.axis(plan_.size.columns == 1 ? 0.0 : cellColumn + 0.5, cellRow + 0.5),
+                     1.0, plan_.size.columns == 1 ? 0.5 : 0.25, zeroNode()};
+        addLobes(term.others, nodes_[indexOf(column, row + rowStep)], term.share);
+        if (plan_.size.columns == 1) return term;
+        addLobes(term.others, nodes_[indexOf(column + columnStep, row)], term.share);
+        addLobes(term.others, nodes_[indexOf(column + columnStep, row + rowStep)], term.share);
+        return term;
+    }
+
+    void moveNode(int column, int row) {
+        const auto isIn = [](int i, int count) { return i >= 0 && i < count; };
+        std::vector<FitTerm> terms;
+        for (const int rowStep : {-1, 1}) {
+            for (const int columnStep : {-1, 1}) {
+                const bool isAlone = plan_.size.columns == 1;
+                if (!isIn(row + rowStep, plan_.size.rows)) continue;
+                if (isAlone ? columnStep > 0 : !isIn(column + columnStep, plan_.size.columns)) {
+                    continue;
+                }
+                // From roughness 0 to the next column lobes widen more than a blend can follow.
+                if (!isAlone && std::min(column, column + columnStep) == 0) continue;
+                terms.push_back(cellTerm(column, row, isAlone ? 0 : columnStep, rowStep));
+            }
+        }
+        for (FitTerm& term : terms) term.weight = kCellWeight / static_cast<double>(terms.size());
+        terms.push_back({&nodeSamples_[indexOf(column, row)], plan_.axis(column, row), kNodeWeight,
+                         1.0, zeroNode()});
+        NodeGoal goal = goalOf(plan_, row, kFineSmoothing);
+        goal.smoothness = kSweepSmoothness;
+        const auto wishMiddle = [&](std::size_t before, std::size_t after) {
+            ltc::TableNode middle = zeroNode();
+            addLobes(middle, nodes_[before], 0.5);
+            addLobes(middle, nodes_[after], 0.5);
+            goal.wishes.push_back(middle);
+        };
+        // Columns 0 to 2 are bent by the floor of alpha.
+        if (column > 1 && column + 1 < plan_.size.columns) {
+            wishMiddle(indexOf(column - 1, row), indexOf(column + 1, row));
+        }
+        if (row > 0 && row + 1 < plan_.size.rows) {
+            wishMiddle(indexOf(column, row - 1), indexOf(column, row + 1));
+        }
+        ltc::TableNode& node = nodes_[indexOf(column, row)];
+        node = fitNode(node, terms, goal);
+    }
+
+    const brdf::Brdf& brdf_;
+    const GridPlan& plan_;
+    std::vector<ltc::TableNode> nodes_;
+    std::vector<LobeSamples> nodeSamples_;
+    std::vector<double> momentWidths_;  // The rootWidth of each node's momentLobe().
+    int cellColumns_;
+    std::vector<LobeSamples> cellSamples_;  // In the middle between four nodes.
+};
+
+}  // namespace
+
+double GridPlan::cosThetaView(double row) const {
+    return std::max(layout.cosThetaView(row / (size.rows - 1)), ltc::kMinCosThetaView);
+}
+
+ltc::LobeAxis GridPlan::axis(double column, double row) const {
+    return ltc::lobeAxis(layout.reference, roughness(column), cosThetaView(row));
+}
+
+std::vector<ltc::TableNode> fitGridByMoments(const brdf::Brdf& brdf, const GridPlan& plan,
+                                             const StepCallback& step) {
+    std::vector<ltc::TableNode> nodes(plan.nodeCount());
+    tbb::parallel_for(0, plan.size.columns, [&](int column) {
+        for (int row = 0; row < plan.size.rows; ++row) {
+            const LobeSamples samples =
+                sampleLobe(brdf, plan.roughness(column), plan.cosThetaView(row), plan.resolution);
+            ltc::TableNode& node =
+                nodes[static_cast<std::size_t>(row) * plan.size.columns + column];
+            node = momentNode(samples, plan.layout, plan.axis(column, row));
+        }
+        step();
+    });
+    return nodes;
+}
+
+int fitGridStepCount(const GridPlan& plan) {
+    return plan.size.columns + 4 * kSweepCount;
+}
+
+std::vector<ltc::TableNode> fitGrid(const brdf::Brdf& brdf, const GridPlan& plan,
+                                    const StepCallback& step) {
+    GridFit fit(brdf, plan);
+    fit.start(step);
+    for (int i = 0; i < kSweepCount; ++i) fit.sweep(step);
+    return fit.takeNodes();
+}
+
+ltc::TableNode fitAlone(const LobeSamples& samples, const ltc::TableLayout& layout,
+                        const ltc::LobeAxis& axis, bool isNormalView) {
+    const FitTerm term{&samples, axis, 1.0, 1.0, zeroNode()};
+    NodeGoal goal;
+    goal.lobeCount = layout.lobeCount;
+    goal.freedom = isNormalView ? LobeFreedom::round : LobeFreedom::any;
+    goal.smoothing = kCoarseSmoothing;
+    const ltc::TableNode coarse = fitNode(momentNode(samples, layout, axis), {&term, 1}, goal);
+    goal.smoothing = kFineSmoothing;
+    return fitNode(coarse, {&term, 1}, goal);
+}
+
+}  // namespace polylume::fit
