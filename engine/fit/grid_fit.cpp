@@ -7,7 +7,6 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "fit/lobe_model.hpp"
@@ -48,31 +47,24 @@ class GridFit {
         : brdf_(brdf),
           plan_(plan),
           nodes_(plan.nodeCount()),
-          nodeSamples_(plan.nodeCount()),
           momentWidths_(plan.nodeCount()),
-          cellColumns_(std::max(plan.size.columns - 1, 1)),
-          cellSamples_(static_cast<std::size_t>(cellColumns_) * (plan.size.rows - 1)) {}
+          cellColumns_(std::max(plan.size.columns - 1, 1)) {}
 
     /// Fits a middle column from the normal view on, and from there column by column to both
     /// sides, each node from what its neighbour ended with: several lobes are about equally good at
     /// grazing views, and the whole table should hold one kind.
     void start(const StepCallback& step) {
-        tbb::parallel_for(0, plan_.size.columns, [&](int column) { sampleColumn(column); });
         const int seed = plan_.size.columns / 2;
-        for (int row = 0; row < plan_.size.rows; ++row) {
-            const std::size_t index = indexOf(seed, row);
-            startNode(seed, row,
-                      row == 0 ? firstNode(seed) : predict(indexOf(seed, row - 1), index),
-                      kFirstSmoothness);
+        startFirst(seed);
+        for (int row = 1; row < plan_.size.rows; ++row) {
+            startNode(seed, row, indexOf(seed, row - 1), kFirstSmoothness);
         }
         step();
         const auto march = [&](int direction, int count) {
             for (int i = 1; i <= count; ++i) {
                 const int column = seed + direction * i;
                 tbb::parallel_for(0, plan_.size.rows, [&](int row) {
-                    startNode(column, row,
-                              predict(indexOf(column - direction, row), indexOf(column, row)),
-                              kNextSmoothness);
+                    startNode(column, row, indexOf(column - direction, row), kNextSmoothness);
                 });
                 step();
             }
@@ -81,15 +73,17 @@ class GridFit {
                              [&] { march(1, plan_.size.columns - 1 - seed); });
     }
 
-    /// Nodes that share a cell are never moved at the same time.
+    /// Moves every other row at once, since rows next to each other share cells, and in a row every
+    /// other node.
     void sweep(const StepCallback& step) {
-        for (int color = 0; color < 4; ++color) {
-            const int firstRow = color / 2;
-            const int firstColumn = color % 2;
+        for (const int firstRow : {0, 1}) {
             tbb::parallel_for(0, (plan_.size.rows - firstRow + 1) / 2, [&](int i) {
                 const int row = firstRow + 2 * i;
-                for (int column = firstColumn; column < plan_.size.columns; column += 2) {
-                    moveNode(column, row);
+                const RowSamples samples = sampleRow(row);
+                for (const int firstColumn : {0, 1}) {
+                    for (int column = firstColumn; column < plan_.size.columns; column += 2) {
+                        moveNode(column, row, samples);
+                    }
                 }
             });
             step();
@@ -102,23 +96,36 @@ class GridFit {
     std::size_t indexOf(int column, int row) const {
         return static_cast<std::size_t>(row) * plan_.size.columns + column;
     }
-    const LobeSamples& cellOf(int column, int row) const {
-        return cellSamples_[static_cast<std::size_t>(row) * cellColumns_ + column];
+
+    /// What the nodes of a row are moved by. Sampled anew for each sweep: kept, the samples of a
+    /// table of 256 x 256 would take gigabytes.
+    struct RowSamples {
+        std::vector<LobeSamples> nodes;
+        std::vector<LobeSamples> above;  // In the middle of the cells of the row before,
+        std::vector<LobeSamples> below;  // and of this one.
+    };
+
+    LobeSamples sample(double column, double row) const {
+        return sampleLobe(brdf_, plan_.roughness(column), plan_.cosThetaView(row),
+                          plan_.resolution);
     }
 
-    void sampleColumn(int column) {
-        for (int row = 0; row < plan_.size.rows; ++row) {
-            const std::size_t index = indexOf(column, row);
-            nodeSamples_[index] = sampleLobe(brdf_, plan_.roughness(column),
-                                             plan_.cosThetaView(row), plan_.resolution);
-            const ltc::LobeAxis axis = plan_.axis(column, row);
-            momentWidths_[index] =
-                ltc::encode(momentLobe(nodeSamples_[index], axis), axis).rootWidth;
-            if (row + 1 == plan_.size.rows || column >= cellColumns_) continue;
-            cellSamples_[static_cast<std::size_t>(row) * cellColumns_ + column] =
-                sampleLobe(brdf_, plan_.roughness(column + 0.5), plan_.cosThetaView(row + 0.5),
-                           plan_.resolution);
+    RowSamples sampleRow(int row) const {
+        RowSamples samples;
+        for (int column = 0; column < plan_.size.columns; ++column) {
+            samples.nodes.push_back(sample(column, row));
         }
+        for (int column = 0; column < cellColumns_; ++column) {
+            if (row > 0) samples.above.push_back(sample(column + 0.5, row - 0.5));
+            if (row + 1 < plan_.size.rows) {
+                samples.below.push_back(sample(column + 0.5, row + 0.5));
+            }
+        }
+        return samples;
+    }
+
+    double momentWidth(const LobeSamples& samples, const ltc::LobeAxis& axis) const {
+        return ltc::encode(momentLobe(samples, axis), axis).rootWidth;
     }
 
     /// A node as its neighbour's lobes promise it: made wider by as much as the samples are, and
@@ -135,15 +142,17 @@ class GridFit {
 
     /// Where the fit of a column begins: at the normal view, in closed form, or, if that ends
     /// better, from two lobes that are about the best one.
-    ltc::TableNode firstNode(int column) const {
-        const LobeSamples& samples = nodeSamples_[indexOf(column, 0)];
+    void startFirst(int column) {
+        const LobeSamples samples = sample(column, 0);
         const FitTerm term{&samples, plan_.axis(column, 0), 1.0, 1.0, zeroNode()};
+        ltc::TableNode& node = nodes_[indexOf(column, 0)];
+        momentWidths_[indexOf(column, 0)] = momentWidth(samples, term.axis);
         const auto fitFrom = [&](const ltc::TableNode& start) {
             return fitNode(fitNode(start, {&term, 1}, goalOf(plan_, 0, kCoarseSmoothing)),
                            {&term, 1}, goalOf(plan_, 0, kFineSmoothing));
         };
-        const ltc::TableNode moments = fitFrom(momentNode(samples, plan_.layout, term.axis));
-        if (plan_.layout.lobeCount == 1) return moments;
+        node = fitFrom(momentNode(samples, plan_.layout, term.axis));
+        if (plan_.layout.lobeCount == 1) return;
         ltc::TableLayout single = plan_.layout;
         single.lobeCount = 1;
         ltc::TableNode split = momentNode(samples, single, term.axis);
@@ -152,30 +161,35 @@ class GridFit {
         split.codes[1].rootWidth *= 1.1;
         split.share2 = 0.5;
         split = fitFrom(split);
-        const auto errorOf = [&](const ltc::TableNode& node) {
-            return lobeError(samples, plan_.layout.decode(node, plan_.roughness(column), 1.0));
+        const auto errorOf = [&](const ltc::TableNode& candidate) {
+            return lobeError(samples, plan_.layout.decode(candidate, plan_.roughness(column), 1.0));
         };
-        return errorOf(split) < errorOf(moments) - 1e-6 ? split : moments;
+        if (errorOf(split) < errorOf(node) - 1e-6) node = split;
     }
 
-    void startNode(int column, int row, ltc::TableNode from, double smoothness) {
-        const FitTerm term{&nodeSamples_[indexOf(column, row)], plan_.axis(column, row), 1.0, 1.0,
-                           zeroNode()};
-        NodeGoal goal = goalOf(plan_, row, kFineSmoothing);
+    /// Fits a node from the one at index `neighbour`.
+    void startNode(int column, int row, std::size_t neighbour, double smoothness) {
+        const std::size_t index = indexOf(column, row);
+        const LobeSamples samples = sample(column, row);
+        const FitTerm term{&samples, plan_.axis(column, row), 1.0, 1.0, zeroNode()};
+        momentWidths_[index] = momentWidth(samples, term.axis);
+        ltc::TableNode from = predict(neighbour, index);
         if (!isUsable(from, plan_.layout.lobeCount, term.axis)) {
-            from = momentNode(*term.samples, plan_.layout, term.axis);
+            from = momentNode(samples, plan_.layout, term.axis);
         }
+        NodeGoal goal = goalOf(plan_, row, kFineSmoothing);
         // Two lobes leave directions in which next to nothing changes: no need to go far there.
         goal.wishes = {from};
         goal.smoothness = smoothness;
-        nodes_[indexOf(column, row)] = fitNode(from, {&term, 1}, goal);
+        nodes_[index] = fitNode(from, {&term, 1}, goal);
     }
 
     /// The term of the cell between this node and the next in the directions given, +1 or -1.
-    FitTerm cellTerm(int column, int row, int columnStep, int rowStep) const {
+    FitTerm cellTerm(int column, int row, int columnStep, int rowStep,
+                     const RowSamples& samples) const {
         const int cellColumn = std::min(column, column + columnStep);
         const int cellRow = std::min(row, row + rowStep);
-        FitTerm term{&cellOf(cellColumn, cellRow),
+        FitTerm term{&(rowStep < 0 ? samples.above : samples.below)[cellColumn],
                      plan_.axis(plan_.size.columns == 1 ? 0.0 : cellColumn + 0.5, cellRow + 0.5),
                      1.0, plan_.size.columns == 1 ? 0.5 : 0.25, zeroNode()};
         addLobes(term.others, nodes_[indexOf(column, row + rowStep)], term.share);
@@ -185,7 +199,7 @@ class GridFit {
         return term;
     }
 
-    void moveNode(int column, int row) {
+    void moveNode(int column, int row, const RowSamples& samples) {
         const auto isIn = [](int i, int count) { return i >= 0 && i < count; };
         std::vector<FitTerm> terms;
         for (const int rowStep : {-1, 1}) {
@@ -197,12 +211,12 @@ class GridFit {
                 }
                 // From roughness 0 to the next column lobes widen more than a blend can follow.
                 if (!isAlone && std::min(column, column + columnStep) == 0) continue;
-                terms.push_back(cellTerm(column, row, isAlone ? 0 : columnStep, rowStep));
+                terms.push_back(cellTerm(column, row, isAlone ? 0 : columnStep, rowStep, samples));
             }
         }
         for (FitTerm& term : terms) term.weight = kCellWeight / static_cast<double>(terms.size());
-        terms.push_back({&nodeSamples_[indexOf(column, row)], plan_.axis(column, row), kNodeWeight,
-                         1.0, zeroNode()});
+        terms.push_back(
+            {&samples.nodes[column], plan_.axis(column, row), kNodeWeight, 1.0, zeroNode()});
         NodeGoal goal = goalOf(plan_, row, kFineSmoothing);
         goal.smoothness = kSweepSmoothness;
         const auto wishMiddle = [&](std::size_t before, std::size_t after) {
@@ -225,10 +239,8 @@ class GridFit {
     const brdf::Brdf& brdf_;
     const GridPlan& plan_;
     std::vector<ltc::TableNode> nodes_;
-    std::vector<LobeSamples> nodeSamples_;
     std::vector<double> momentWidths_;  // The rootWidth of each node's momentLobe().
     int cellColumns_;
-    std::vector<LobeSamples> cellSamples_;  // In the middle between four nodes.
 };
 
 }  // namespace
@@ -258,7 +270,7 @@ std::vector<ltc::TableNode> fitGridByMoments(const brdf::Brdf& brdf, const GridP
 }
 
 int fitGridStepCount(const GridPlan& plan) {
-    return plan.size.columns + 4 * kSweepCount;
+    return plan.size.columns + 2 * kSweepCount;
 }
 
 std::vector<ltc::TableNode> fitGrid(const brdf::Brdf& brdf, const GridPlan& plan,
