@@ -52,9 +52,11 @@ GridPlan planOf(const brdf::Brdf& brdf, const FitOptions& options) {
     GridPlan plan;
     const bool viewOnly = options.viewOnly || !brdf.hasRoughness();
     plan.size = {viewOnly ? 1 : options.size, options.size};
-    // A single column holds for every roughness, so its lobes can't be stored relative to one.
-    plan.layout.reference = brdf.followsMirror() && !viewOnly ? ltc::LobeReference::mirror
-                                                              : ltc::LobeReference::bisector;
+    // A single column is stored relative to the mirror direction itself, which a rough lobe is far
+    // from at grazing views.
+    const bool isRough = viewOnly && brdf.hasRoughness() && options.viewRoughness > 0.5;
+    plan.layout.reference = brdf.followsMirror() && !isRough ? ltc::LobeReference::mirror
+                                                             : ltc::LobeReference::bisector;
     plan.layout.lobeCount = options.lobeCount;
     plan.layout.hasColor = brdf.hasColor();
     plan.resolution = options.resolution;
@@ -68,6 +70,12 @@ void setAlbedos(const brdf::Brdf& brdf, const GridPlan& plan, std::vector<ltc::T
         const double roughness = plan.roughness(static_cast<double>(i % plan.size.columns));
         const double cosThetaView = plan.cosThetaView(static_cast<double>(i / plan.size.columns));
         const brdf::Reflectance reflectance = brdf.reflectance(roughness, cosThetaView);
+        if (!(reflectance.albedo <= ltc::Table::kMaxAlbedo)) {
+            throw Error(concat("expected the BRDF \"", brdf.name(), "\" to reflect at most ",
+                               ltc::Table::kMaxAlbedo, " times what arrives, found ",
+                               reflectance.albedo, " at cos theta_v ", cosThetaView,
+                               ": check its scale"));
+        }
         nodes[i].albedo = reflectance.albedo;
         nodes[i].fresnel = reflectance.fresnel;
         if (brdf.hasColor()) nodes[i].color = brdf.albedoColor(roughness, cosThetaView);

@@ -3,9 +3,6 @@
 
 #pragma once
 
-#include <map>
-#include <string>
-
 #include "brdf/brdf.hpp"
 #include "core/progress.hpp"
 #include "ltc/table.hpp"

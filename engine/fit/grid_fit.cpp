@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fit/lobe_model.hpp"
 #include "fit/moment_fit.hpp"
@@ -39,6 +40,22 @@ NodeGoal goalOf(const GridPlan& plan, int row, double smoothing) {
     goal.freedom = row == 0 ? LobeFreedom::round : LobeFreedom::any;
     goal.smoothing = smoothing;
     return goal;
+}
+
+/// In closed form, and for two lobes also two that are about the best one.
+std::vector<ltc::TableNode> startNodes(const LobeSamples& samples, const ltc::TableLayout& layout,
+                                       const ltc::LobeAxis& axis) {
+    std::vector<ltc::TableNode> starts = {momentNode(samples, layout, axis)};
+    if (layout.lobeCount == 1) return starts;
+    ltc::TableLayout single = layout;
+    single.lobeCount = 1;
+    ltc::TableNode split = momentNode(samples, single, axis);
+    split.codes[1] = split.codes[0];
+    split.codes[0].rootWidth *= 0.9;
+    split.codes[1].rootWidth *= 1.1;
+    split.share2 = 0.5;
+    starts.push_back(split);
+    return starts;
 }
 
 class GridFit {
@@ -140,31 +157,12 @@ class GridFit {
         return node;
     }
 
-    /// Where the fit of a column begins: at the normal view, in closed form, or, if that ends
-    /// better, from two lobes that are about the best one.
+    /// Where the fit of the first column begins: at the normal view.
     void startFirst(int column) {
         const LobeSamples samples = sample(column, 0);
-        const FitTerm term{&samples, plan_.axis(column, 0), 1.0, 1.0, zeroNode()};
-        ltc::TableNode& node = nodes_[indexOf(column, 0)];
-        momentWidths_[indexOf(column, 0)] = momentWidth(samples, term.axis);
-        const auto fitFrom = [&](const ltc::TableNode& start) {
-            return fitNode(fitNode(start, {&term, 1}, goalOf(plan_, 0, kCoarseSmoothing)),
-                           {&term, 1}, goalOf(plan_, 0, kFineSmoothing));
-        };
-        node = fitFrom(momentNode(samples, plan_.layout, term.axis));
-        if (plan_.layout.lobeCount == 1) return;
-        ltc::TableLayout single = plan_.layout;
-        single.lobeCount = 1;
-        ltc::TableNode split = momentNode(samples, single, term.axis);
-        split.codes[1] = split.codes[0];
-        split.codes[0].rootWidth *= 0.9;
-        split.codes[1].rootWidth *= 1.1;
-        split.share2 = 0.5;
-        split = fitFrom(split);
-        const auto errorOf = [&](const ltc::TableNode& candidate) {
-            return lobeError(samples, plan_.layout.decode(candidate, plan_.roughness(column), 1.0));
-        };
-        if (errorOf(split) < errorOf(node) - 1e-6) node = split;
+        const ltc::LobeAxis axis = plan_.axis(column, 0);
+        momentWidths_[indexOf(column, 0)] = momentWidth(samples, axis);
+        nodes_[indexOf(column, 0)] = fitAlone(samples, plan_.layout, axis, true);
     }
 
     /// Fits a node from the one at index `neighbour`.
@@ -250,7 +248,8 @@ double GridPlan::cosThetaView(double row) const {
 }
 
 ltc::LobeAxis GridPlan::axis(double column, double row) const {
-    return ltc::lobeAxis(layout.reference, roughness(column), cosThetaView(row));
+    const double axisRoughness = size.columns == 1 ? 0.0 : roughness(column);
+    return ltc::lobeAxis(layout.reference, axisRoughness, cosThetaView(row));
 }
 
 std::vector<ltc::TableNode> fitGridByMoments(const brdf::Brdf& brdf, const GridPlan& plan,
@@ -284,13 +283,30 @@ std::vector<ltc::TableNode> fitGrid(const brdf::Brdf& brdf, const GridPlan& plan
 ltc::TableNode fitAlone(const LobeSamples& samples, const ltc::TableLayout& layout,
                         const ltc::LobeAxis& axis, bool isNormalView) {
     const FitTerm term{&samples, axis, 1.0, 1.0, zeroNode()};
-    NodeGoal goal;
-    goal.lobeCount = layout.lobeCount;
-    goal.freedom = isNormalView ? LobeFreedom::round : LobeFreedom::any;
-    goal.smoothing = kCoarseSmoothing;
-    const ltc::TableNode coarse = fitNode(momentNode(samples, layout, axis), {&term, 1}, goal);
-    goal.smoothing = kFineSmoothing;
-    return fitNode(coarse, {&term, 1}, goal);
+    NodeGoal coarse;
+    coarse.lobeCount = layout.lobeCount;
+    coarse.freedom = isNormalView ? LobeFreedom::round : LobeFreedom::any;
+    coarse.smoothing = kCoarseSmoothing;
+    NodeGoal fine = coarse;
+    fine.smoothing = kFineSmoothing;
+    ltc::TableNode best;
+    double bestError = std::numeric_limits<double>::max();
+    for (const ltc::TableNode& start : startNodes(samples, layout, axis)) {
+        const ltc::TableNode node = fitNode(fitNode(start, {&term, 1}, coarse), {&term, 1}, fine);
+        ltc::TableEntry entry;
+        entry.lobeCount = layout.lobeCount;
+        entry.shares = {1.0 - node.share2, node.share2};
+        for (int i = 0; i < layout.lobeCount; ++i) {
+            entry.lobes[i] = ltc::decode(node.codes[i], axis);
+        }
+        const double error = lobeError(samples, entry);
+        // A later start has to be better by more than rounding, or machines would choose
+        // differently.
+        if (error >= bestError - 1e-6) continue;
+        best = node;
+        bestError = error;
+    }
+    return best;
 }
 
 }  // namespace polylume::fit

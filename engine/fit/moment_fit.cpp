@@ -128,7 +128,7 @@ std::array<double, 2> splitWidths(double quarter, double threeQuarters) {
 }
 
 ltc::Lobe widened(const ltc::Lobe& lobe, double factor) {
-    // About its axis, across and along: the last row alone.
+    // All slopes about its axis: the last row alone.
     return {lobe.m11, lobe.m13, factor * lobe.m31, factor * lobe.m33};
 }
 
@@ -156,8 +156,9 @@ ltc::Lobe momentLobe(const LobeSamples& samples, const ltc::LobeAxis& axis) {
         across += share * std::abs(point.direction.y) / height;
         weight += share;
     }
-    const double a = std::max(along / weight, 1e-8);
-    const double b = std::max(across / weight, 1e-8);
+    // No weight at all where light goes only to both sides of the axis, far from it.
+    const double a = weight > 0.0 ? std::max(along / weight, 1e-8) : 1.0;
+    const double b = weight > 0.0 ? std::max(across / weight, 1e-8) : 1.0;
     return {b / a * c, b / a * s, -b * s, b * c};
 }
 

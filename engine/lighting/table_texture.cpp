@@ -33,7 +33,9 @@ TableTexture uploadTable(const gl::Functions& gl, const ltc::Table& table, const
     result.texture = gl::Texture::array(gl, GL_RGBA32F, size, layerCount, label);
     result.texture.upload(GL_RGBA, GL_FLOAT, texels.data());
     // The share of the way from the normal to the mirror direction, x + y roughness^2.
-    result.reference = layout.reference == ltc::LobeReference::mirror ? glm::vec2(1.0f, -1.0f)
+    // A single column is stored as at roughness 0.
+    const float slope = native.size().columns == 1 ? 0.0f : -1.0f;
+    result.reference = layout.reference == ltc::LobeReference::mirror ? glm::vec2(1.0f, slope)
                                                                       : glm::vec2(0.5f, 0.0f);
     result.lobeCount = layout.lobeCount;
     return result;

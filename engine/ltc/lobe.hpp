@@ -46,7 +46,7 @@ LobeAxis lobeAxis(LobeReference reference, double roughness, double cosThetaView
 /// in the xz plane, with width = rootWidth^2 and R the rotation that brings the LobeAxis to z. Its
 /// determinant is width stretch^2.
 struct LobeCode {
-    double stretch = 1.0;    ///< How much narrower across the plane of view than in it; above 0.
+    double stretch = 1.0;    ///< Width across the plane of view over that in it; above 0.
     double tilt = 0.0;       ///< Tangent of the angle from the LobeAxis to the lobe's own axis.
     double shear = 0.0;      ///< Skew towards one side in the plane of view.
     double rootWidth = 1.0;  ///< Square root of the width in the plane of view; above 0.

@@ -149,7 +149,8 @@ TableEntry Table::entry(int column, int row) const {
 }
 
 TableEntry Table::lookup(double roughness, double cosThetaView) const {
-    const double r = std::clamp(roughness, 0.0, 1.0);
+    // A single column holds for every roughness, and is stored as at 0.
+    const double r = size_.columns == 1 ? 0.0 : std::clamp(roughness, 0.0, 1.0);
     const double cosine = std::clamp(cosThetaView, kMinCosThetaView, 1.0);
     const double x = r * (size_.columns - 1);
     const double y = layout_.viewCoordinate(cosine) * (size_.rows - 1);

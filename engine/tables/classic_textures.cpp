@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <utility>
 #include <vector>
@@ -149,7 +150,9 @@ ClassicTable classicTable(const ClassicTextures& textures, const ClassicOrigin& 
     }
     std::map<std::string, std::string> attributes = classicLayout().attributes();
     attributes["brdf"] = origin.brdf;
-    attributes["alphaFloor"] = concat(origin.alphaFloor);
+    char floorText[32];
+    std::snprintf(floorText, sizeof(floorText), "%.9g", origin.alphaFloor);
+    attributes["alphaFloor"] = floorText;
     return {ltc::Table({columns, rows}, std::move(values), std::move(attributes)), mendedCount};
 }
 
@@ -173,6 +176,9 @@ fs::path secondTextureBeside(const fs::path& first) {
 }
 
 void writeClassic(const fs::path& path, const ClassicTextures& textures) {
+    // A rename that fails late would leave a pair of two exports.
+    checkWritable(firstTexturePath(path));
+    checkWritable(secondTexturePath(path));
     const std::vector<std::byte> first = encodeDds(textures.matrices);
     const std::vector<std::byte> second = encodeDds(textures.factors);
     writeFileAtomically(firstTexturePath(path), [&](const fs::path& temporary) {

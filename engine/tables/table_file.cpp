@@ -100,6 +100,7 @@ ltc::Table readTable(const std::filesystem::path& path) {
 void checkTablePath(const std::filesystem::path& path) {
     if (path.extension() != ".exr") throwExtension(path, ".exr");
     checkWritable(path);
+    checkWritable(rawTablePath(path));
 }
 
 std::filesystem::path rawTablePath(const std::filesystem::path& path) {
