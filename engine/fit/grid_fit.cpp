@@ -17,6 +17,8 @@
 namespace polylume::fit {
 namespace {
 
+static_assert(ltc::kMinCosThetaView == brdf::kMinCosThetaView);
+
 // Coarse first, for a wide basin, then close to the L1 distance.
 constexpr double kCoarseSmoothing = 0.3;
 constexpr double kFineSmoothing = 0.05;

@@ -38,10 +38,11 @@ std::vector<ltc::TableNode> fitGridByMoments(const brdf::Brdf& brdf, const GridP
 /// How many steps fitGrid() takes.
 int fitGridStepCount(const GridPlan& plan);
 
-/// The lobes of all nodes by fitNode(): each column from the normal view on, every node from what
-/// its neighbour ended with, so that lobes change smoothly; then sweeps that move each node to
-/// where it and the cells around it, as lookups blend them, are best, with a wish for smoothness
-/// along both axes. Values don't depend on the number of threads.
+/// The lobes of all nodes by fitNode(): the middle column from the normal view on, then column by
+/// column to both sides, every node from what its neighbour ended with, so that lobes change
+/// smoothly; then sweeps that move each node to where it and the cells around it, as lookups blend
+/// them, are best, with a wish for smoothness along both axes. Values don't depend on the number of
+/// threads.
 std::vector<ltc::TableNode> fitGrid(const brdf::Brdf& brdf, const GridPlan& plan,
                                     const StepCallback& step);
 
