@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <cstdio>
 #include <sstream>
 #include <string>
 
@@ -15,6 +16,13 @@ std::string concat(const Values&... values) {
     std::ostringstream stream;
     (stream << ... << values);
     return stream.str();
+}
+
+/// A number by a format of printf() for one double, as "%.9g".
+inline std::string formatNumber(const char* format, double value) {
+    char text[64];
+    std::snprintf(text, sizeof(text), format, value);
+    return text;
 }
 
 }  // namespace polylume

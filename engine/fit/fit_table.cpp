@@ -3,15 +3,11 @@
 
 #include "fit/fit_table.hpp"
 
-#include <tbb/info.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
-#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,34 +15,11 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "fit/grid_fit.hpp"
+#include "fit/parallel.hpp"
 #include "fit/score_table.hpp"
 
 namespace polylume::fit {
 namespace {
-
-/// Adds up the steps of several threads for a Progress.
-class StepCounter {
-  public:
-    StepCounter(Progress& progress, int stepCount) : progress_(progress), stepCount_(stepCount) {}
-
-    void step() {
-        const std::lock_guard lock(mutex_);
-        ++done_;
-        progress_.update(static_cast<double>(done_) / stepCount_);
-    }
-
-  private:
-    Progress& progress_;
-    int stepCount_;
-    int done_ = 0;
-    std::mutex mutex_;
-};
-
-std::string toText(double value, const char* format) {
-    char text[32];
-    std::snprintf(text, sizeof(text), format, value);
-    return text;
-}
 
 GridPlan planOf(const brdf::Brdf& brdf, const FitOptions& options) {
     GridPlan plan;
@@ -86,10 +59,10 @@ std::map<std::string, std::string> attributesOf(const brdf::Brdf& brdf, const Gr
                                                 const FitOptions& options) {
     std::map<std::string, std::string> attributes = plan.layout.attributes();
     attributes["brdf"] = brdf.name();
-    attributes["alphaFloor"] = toText(brdf.alphaFloor(), "%.9g");
+    attributes["alphaFloor"] = formatNumber("%.9g", brdf.alphaFloor());
     attributes["solver"] = options.solver == Solver::lm ? "lm" : "moments";
     if (plan.size.columns == 1 && brdf.hasRoughness()) {
-        attributes["roughness"] = toText(plan.viewRoughness, "%.9g");
+        attributes["roughness"] = formatNumber("%.9g", plan.viewRoughness);
     }
     return attributes;
 }
@@ -97,9 +70,9 @@ std::map<std::string, std::string> attributesOf(const brdf::Brdf& brdf, const Gr
 ltc::Table withScore(const ltc::Table& table, const TableScore& score) {
     // Few enough digits to be the same on machines that round differently.
     return table.withAttributes(
-        {{"scoreAtNodes", toText(score.atNodes, "%.4f")},
-         {"scoreBetweenNodes", toText(score.betweenNodes, "%.4f")},
-         {"scoreWorst", toText(score.worst, "%.3f")},
+        {{"scoreAtNodes", formatNumber("%.4f", score.atNodes)},
+         {"scoreBetweenNodes", formatNumber("%.4f", score.betweenNodes)},
+         {"scoreWorst", formatNumber("%.3f", score.worst)},
          {"scoreMeaning",
           "integral |f cos - albedo lobes| / albedo, mean over r 0.05 to 1, theta_v 0 to 85 "
           "degrees"}});
@@ -148,11 +121,7 @@ void checkOptions(const FitOptions& options) {
 
 ltc::Table fitTable(const brdf::Brdf& brdf, const FitOptions& options, Progress& progress) {
     checkOptions(options);
-    // TBB warns on the terminal about more threads than processors.
-    const int processorCount = tbb::info::default_concurrency();
-    const int threadCount = options.threadCount > 0 ? options.threadCount : processorCount;
-    tbb::task_arena arena(std::min(threadCount, processorCount));
-    return arena.execute([&] { return fitInArena(brdf, options, progress); });
+    return runOnThreads(options.threadCount, [&] { return fitInArena(brdf, options, progress); });
 }
 
 }  // namespace polylume::fit

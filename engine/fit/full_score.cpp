@@ -3,15 +3,13 @@
 
 #include "fit/full_score.hpp"
 
-#include <tbb/info.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 
 #include "fit/lobe_samples.hpp"
+#include "fit/parallel.hpp"
 #include "fit/prepared_model.hpp"
 #include "fit/score_grid.hpp"
 
@@ -206,13 +204,11 @@ FullScore scoreInArena(const brdf::Brdf& brdf, const ltc::Table& table,
     const std::vector<double> roughnesses = scoredRoughnesses(table, kScoredRoughnessCount);
     const std::vector<Task> tasks = tasksOf(table, roughnesses);
     std::vector<PlaceResult> results(tasks.size());
-    std::mutex mutex;
-    std::size_t done = 0;
+    StepCounter counter(progress, tasks.size());
     tbb::parallel_for(std::size_t{0}, tasks.size(), [&](std::size_t i) {
         // Each place has rectangles of its own, whichever thread comes to it.
         results[i] = scoreTask(brdf, table, tasks[i], options.seed * 1000003 + i, options);
-        const std::lock_guard lock(mutex);
-        progress.update(static_cast<double>(++done) / static_cast<double>(tasks.size()));
+        counter.step();
     });
     // In a fixed order, so that sums are the same for any number of threads.
     std::vector<RowSums> rows(roughnesses.size());
@@ -231,11 +227,8 @@ FullScore scoreInArena(const brdf::Brdf& brdf, const ltc::Table& table,
 
 FullScore computeFullScore(const brdf::Brdf& brdf, const ltc::Table& table,
                            const FullScoreOptions& options, Progress& progress) {
-    // TBB warns on the terminal about more threads than processors.
-    const int processorCount = tbb::info::default_concurrency();
-    const int threadCount = options.threadCount > 0 ? options.threadCount : processorCount;
-    tbb::task_arena arena(std::min(threadCount, processorCount));
-    return arena.execute([&] { return scoreInArena(brdf, table, options, progress); });
+    return runOnThreads(options.threadCount,
+                        [&] { return scoreInArena(brdf, table, options, progress); });
 }
 
 LobeErrors placeErrors(const brdf::Brdf& brdf, double roughness, double cosThetaView,

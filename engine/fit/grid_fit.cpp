@@ -246,7 +246,7 @@ class GridFit {
 }  // namespace
 
 double GridPlan::cosThetaView(double row) const {
-    return std::max(layout.cosThetaView(row / (size.rows - 1)), ltc::kMinCosThetaView);
+    return layout.rowCosThetaView(row, size.rows);
 }
 
 ltc::LobeAxis GridPlan::axis(double column, double row) const {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "fit/prepared_model.hpp"
+
 namespace polylume::fit {
 
 double normalisedLobe(const glm::dvec3& direction, const ltc::Lobe& lobe,
@@ -56,17 +58,14 @@ Eigen::Matrix4d codeDerivatives(const ltc::LobeCode& code, const ltc::LobeAxis& 
 }
 
 double modelDensity(const glm::dvec3& direction, const ltc::TableEntry& entry) {
-    double sum = 0.0;
-    for (int i = 0; i < entry.lobeCount; ++i) {
-        sum += entry.shares[i] * normalisedLobe(direction, entry.lobes[i], nullptr);
-    }
-    return sum;
+    return PreparedModel(entry).density(direction);
 }
 
-double lobeError(const LobeSamples& samples, const ltc::TableEntry& entry) {
+double lobeError(const LobeSamples& samples, const ltc::TableEntry& entry, double scale) {
+    const PreparedModel model(entry);
     double sum = 0.0;
     for (const LobeSamples::Point& point : samples.points) {
-        sum += point.area * std::abs(point.target - modelDensity(point.direction, entry));
+        sum += point.area * std::abs(point.target - scale * model.density(point.direction));
     }
     return sum;
 }

@@ -21,8 +21,8 @@ Eigen::Matrix4d codeDerivatives(const ltc::LobeCode& code, const ltc::LobeAxis& 
 /// The sum of shares_k D_k / H_k at `direction`, per steradian.
 double modelDensity(const glm::dvec3& direction, const ltc::TableEntry& entry);
 
-/// The L1 distance of the lobes to the samples, integral |f cos / albedo - sum share_k D_k / H_k|:
-/// 0 to 2.
-double lobeError(const LobeSamples& samples, const ltc::TableEntry& entry);
+/// The L1 distance of the lobes, times `scale`, to the samples,
+/// integral |f cos / albedo - scale * sum share_k D_k / H_k|: 0 to 2 for a scale of 1.
+double lobeError(const LobeSamples& samples, const ltc::TableEntry& entry, double scale = 1.0);
 
 }  // namespace polylume::fit

@@ -9,8 +9,7 @@
 #include <cmath>
 #include <vector>
 
-#include "fit/lobe_samples.hpp"
-#include "fit/prepared_model.hpp"
+#include "fit/lobe_model.hpp"
 #include "fit/score_grid.hpp"
 
 namespace polylume::fit {
@@ -19,11 +18,11 @@ namespace {
 /// The nodes in range, then the grid.
 std::vector<ScorePlace> placesOf(const ltc::Table& table, int gridSize, std::size_t& nodeCount) {
     const bool isSingleColumn = table.size().columns == 1;
+    const std::vector<double> roughnesses = scoredRoughnesses(table, gridSize);
     std::vector<ScorePlace> places;
     for (int row = 0; row < table.size().rows; ++row) {
         for (int column = 0; column < table.size().columns; ++column) {
-            const double roughness =
-                isSingleColumn ? scoredRoughnesses(table, gridSize)[0] : table.roughness(column);
+            const double roughness = isSingleColumn ? roughnesses.front() : table.roughness(column);
             const ScorePlace place{roughness, table.cosThetaView(row)};
             const bool inRange = (isSingleColumn || roughness >= kLeastScoredRoughness) &&
                                  place.cosThetaView >= cosDegrees(kMostScoredDegrees);
@@ -31,7 +30,7 @@ std::vector<ScorePlace> placesOf(const ltc::Table& table, int gridSize, std::siz
         }
     }
     nodeCount = places.size();
-    for (const double roughness : scoredRoughnesses(table, gridSize)) {
+    for (const double roughness : roughnesses) {
         for (const double cosThetaView : scoredViews(0.0, kMostScoredDegrees, gridSize)) {
             places.push_back({roughness, cosThetaView});
         }
@@ -45,13 +44,7 @@ double scoreEntry(const brdf::Brdf& brdf, double roughness, double cosThetaView,
                   const ltc::TableEntry& entry) {
     constexpr int kResolution = 64;
     const LobeSamples samples = sampleLobe(brdf, roughness, cosThetaView, kResolution);
-    const double scale = entry.albedo / samples.albedo;
-    const PreparedModel model(entry);
-    double sum = 0.0;
-    for (const LobeSamples::Point& point : samples.points) {
-        sum += point.area * std::abs(point.target - scale * model.density(point.direction));
-    }
-    return sum;
+    return lobeError(samples, entry, entry.albedo / samples.albedo);
 }
 
 TableScore scoreTable(const brdf::Brdf& brdf, const ltc::Table& table, int gridSize) {

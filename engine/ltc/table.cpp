@@ -134,7 +134,7 @@ double Table::roughness(double column) const {
 }
 
 double Table::cosThetaView(double row) const {
-    return std::max(layout_.cosThetaView(row / (size_.rows - 1)), kMinCosThetaView);
+    return layout_.rowCosThetaView(row, size_.rows);
 }
 
 TableNode Table::node(int column, int row) const {
@@ -185,8 +185,7 @@ Table nativeTable(const Table& table) {
     attributes.insert(table.attributes().begin(), table.attributes().end());
     std::vector<float> values;
     for (int row = 0; row < table.size().rows; ++row) {
-        const double coordinate = static_cast<double>(row) / (table.size().rows - 1);
-        const double cosThetaView = std::max(layout.cosThetaView(coordinate), kMinCosThetaView);
+        const double cosThetaView = layout.rowCosThetaView(row, table.size().rows);
         for (int column = 0; column < table.size().columns; ++column) {
             const double roughness = table.roughness(column);
             const TableEntry entry = table.lookup(roughness, cosThetaView);

@@ -14,9 +14,6 @@
 
 namespace polylume::ltc {
 
-/// Views closer to the surface's plane count as this.
-inline constexpr double kMinCosThetaView = 1e-4;
-
 /// The nodes along the two axes of a table.
 struct TableSize {
     int columns = 64;  ///< Roughness: 1 for a BRDF without, or 2 to Table::kMaxSize.

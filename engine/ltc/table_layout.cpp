@@ -3,6 +3,7 @@
 
 #include "ltc/table_layout.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.hpp"
@@ -99,6 +100,10 @@ double TableLayout::cosThetaView(double viewCoordinate) const {
     if (classic) return 1.0 - y * y;
     const double rest = (1.0 - y) * (1.0 - y);
     return rest / (y * y + rest);
+}
+
+double TableLayout::rowCosThetaView(double row, int rowCount) const {
+    return std::max(cosThetaView(row / (rowCount - 1)), kMinCosThetaView);
 }
 
 TableNode TableLayout::unpack(std::span<const double> values) const {

@@ -16,6 +16,9 @@ namespace polylume::ltc {
 
 inline constexpr int kMaxLobeCount = 2;
 
+/// Views closer to the surface's plane count as this.
+inline constexpr double kMinCosThetaView = 1e-4;
+
 /// What a table holds for one roughness and view angle, as a shader uses it. The BRDF is modelled
 /// as f cos = albedo * sum over lobes of shares[k] D_k / H_k above the surface.
 struct TableEntry {
@@ -63,6 +66,8 @@ struct TableLayout {
     /// where the albedo of a smooth surface changes within cos theta_v = alpha.
     double viewCoordinate(double cosThetaView) const;
     double cosThetaView(double viewCoordinate) const;
+    /// Of a row out of `rowCount`, not below kMinCosThetaView; `row` may lie between nodes.
+    double rowCosThetaView(double row, int rowCount) const;
 
     /// A node from its valueCount() values, and back.
     TableNode unpack(std::span<const double> values) const;

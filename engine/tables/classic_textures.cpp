@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <utility>
 #include <vector>
@@ -150,9 +149,7 @@ ClassicTable classicTable(const ClassicTextures& textures, const ClassicOrigin& 
     }
     std::map<std::string, std::string> attributes = classicLayout().attributes();
     attributes["brdf"] = origin.brdf;
-    char floorText[32];
-    std::snprintf(floorText, sizeof(floorText), "%.9g", origin.alphaFloor);
-    attributes["alphaFloor"] = floorText;
+    attributes["alphaFloor"] = formatNumber("%.9g", origin.alphaFloor);
     return {ltc::Table({columns, rows}, std::move(values), std::move(attributes)), mendedCount};
 }
 

@@ -7,15 +7,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <string>
 
-#include "core/error.hpp"
 #include "ltc/builtin_table.hpp"
+#include "support/error_of.hpp"
 
 namespace polylume::ltc {
 namespace {
+
+using test::errorOf;
 
 std::map<std::string, std::string> goodAttributes(const TableLayout& layout = {}) {
     std::map<std::string, std::string> attributes = layout.attributes();
@@ -66,15 +67,6 @@ TableLayout classicLayout() {
     TableLayout layout;
     layout.classic = true;
     return layout;
-}
-
-std::string errorOf(const std::function<void()>& function) {
-    try {
-        function();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
 }
 
 TEST(TableLayout, viewCoordinatesRunFromTheNormalToTheSurface) {

@@ -12,15 +12,17 @@
 #include <string>
 
 #include "brdf/ggx.hpp"
-#include "core/error.hpp"
 #include "core/file.hpp"
 #include "fit/score_table.hpp"
 #include "ltc/builtin_table.hpp"
+#include "support/error_of.hpp"
 #include "tables/half_float.hpp"
 #include "tables/sphere_form_factor.hpp"
 
 namespace polylume::tables {
 namespace {
+
+using test::errorOf;
 
 namespace fs = std::filesystem;
 using ::testing::AllOf;
@@ -36,15 +38,6 @@ fs::path ownPath(const std::string& name) {
     const fs::path folder = ::testing::UnitTest::GetInstance()->current_test_info()->name();
     fs::create_directories(folder);
     return folder / name;
-}
-
-std::string errorOf(const std::function<void()>& function) {
-    try {
-        function();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
 }
 
 TEST(ClassicTextures, holdTheMatrixAndFactorsOfTheirPlaces) {

@@ -7,15 +7,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <string>
 
-#include "core/error.hpp"
+#include "support/error_of.hpp"
 #include "tables/half_float.hpp"
 
 namespace polylume::tables {
 namespace {
+
+using test::errorOf;
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -24,15 +25,6 @@ DdsImage sampleImage(DdsPrecision precision) {
     DdsImage image{5, 3, precision, {}};
     for (int i = 0; i < 60; ++i) image.pixels.push_back(std::sin(static_cast<float>(i)) * 3.0f);
     return image;
-}
-
-std::string errorOf(const std::function<void()>& function) {
-    try {
-        function();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
 }
 
 TEST(DdsFormat, singleFloatsComeBackExactly) {

@@ -13,13 +13,15 @@
 #include <utility>
 #include <vector>
 
-#include "core/error.hpp"
 #include "core/file.hpp"
 #include "image/image_io.hpp"
 #include "ltc/builtin_table.hpp"
+#include "support/error_of.hpp"
 
 namespace polylume::tables {
 namespace {
+
+using test::errorOf;
 
 namespace fs = std::filesystem;
 
@@ -30,15 +32,6 @@ fs::path ownPath(const std::string& name) {
     const fs::path folder = ::testing::UnitTest::GetInstance()->current_test_info()->name();
     fs::create_directories(folder);
     return folder / name;
-}
-
-std::string errorOf(const std::function<void()>& function) {
-    try {
-        function();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
 }
 
 bool areSame(const ltc::Table& a, const ltc::Table& b) {
