@@ -8,7 +8,7 @@
 #include <string>
 
 #include "context/context.hpp"
-#include "render/display_transform.hpp"
+#include "image/display_transform.hpp"
 #include "render/renderer.hpp"
 
 namespace polylume::cli {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "figures/color_map.hpp"
+#include "image/color_map.hpp"
 #include "image/image.hpp"
 
 namespace polylume::figures {

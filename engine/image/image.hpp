@@ -19,6 +19,12 @@ namespace polylume {
 /// Named values stored with an image: EXR attributes, PNG text.
 using ImageMetadata = std::map<std::string, std::variant<int, float, std::string>>;
 
+/// What the colours of a picture mean.
+enum class PixelValues {
+    linear,   ///< Radiance in proportion, as files of half and float values hold (ours in nits).
+    display,  ///< sRGB-encoded, 0 to 1, as files of integers hold.
+};
+
 /// A picture of float channels, row by row from the top, channels interleaved.
 struct FloatImage {
     int width = 0;
@@ -26,6 +32,7 @@ struct FloatImage {
     std::vector<std::string>
         channelNames;           ///< One per channel, in the order of storage: "R", "normal.X"
     std::vector<float> pixels;  ///< width * height * channelNames.size()
+    PixelValues values = PixelValues::linear;
     ImageMetadata metadata;
 
     std::size_t channelCount() const { return channelNames.size(); }

@@ -27,8 +27,9 @@ PixelImage decodeImage(std::span<const std::byte> encoded, std::string_view name
 
 /// Reads any image that OpenImageIO reads as float, all channels of its first part, unconverted
 /// (integers as 0 to 1). An EXR's channels come in OpenImageIO's order: R, G, B, A and Z first,
-/// then by name, so ask FloatImage::channelIndex(). `metadata` holds what the file says in int,
-/// float and string attributes.
+/// then by name, so ask FloatImage::channelIndex(). `values` is `display` where a file stores
+/// integers, an OpenEXR apart, and `linear` else. `metadata` holds what the file says in int, float
+/// and string attributes.
 FloatImage readImage(const std::filesystem::path& path);
 
 enum class ExrPrecision { half, single };

@@ -31,7 +31,7 @@ struct ImageLibrary {
 };
 
 /// Goes up with every change of ImageLibrary or of a type that it names.
-inline constexpr int kImageLibraryVersion = 2;
+inline constexpr int kImageLibraryVersion = 3;
 
 /// The one symbol of the shared object, `polylumeImageLibrary`: null where the versions differ.
 inline constexpr const char* kImageLibrarySymbol = "polylumeImageLibrary";

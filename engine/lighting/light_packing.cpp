@@ -4,61 +4,11 @@
 #include "lighting/light_packing.hpp"
 
 #include <algorithm>
-#include <string_view>
-
-#include "core/error.hpp"
-#include "core/limits.hpp"
-#include "core/text.hpp"
 
 namespace polylume {
 namespace {
 
 using Contour = std::vector<glm::vec3>;
-
-bool isFinite(const glm::vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-void checkPower(const glm::vec3& power, std::string_view name, std::string_view kind,
-                std::size_t index) {
-    const glm::vec3 most(kLargestEmission);
-    if (glm::all(glm::greaterThanEqual(power, glm::vec3(0.0f))) &&
-        glm::all(glm::lessThanEqual(power, most)))
-        return;
-    throw Error(concat("expected ", name, " of ", kind, " light ", index, " to be from 0 to ",
-                       kLargestEmission, ", found (", power.x, ", ", power.y, ", ", power.z, ")"));
-}
-
-void checkPolygon(const PolygonLight& light, std::size_t index) {
-    checkPower(light.radiance, "radiance", "polygon", index);
-    if (light.contours.empty()) {
-        throw Error(concat("expected polygon light ", index, " to have a contour, found none"));
-    }
-    for (const Contour& contour : light.contours) {
-        if (contour.size() < 3) {
-            throw Error(concat("expected a contour of polygon light ", index,
-                               " to have 3 vertices or more, found ", contour.size()));
-        }
-        for (const glm::vec3& vertex : contour) {
-            if (!isFinite(vertex)) {
-                throw Error(concat("expected finite vertices in polygon light ", index, ", found (",
-                                   vertex.x, ", ", vertex.y, ", ", vertex.z, ")"));
-            }
-        }
-    }
-}
-
-/// Twice the area, along the normal of the side from which the contour turns counter-clockwise
-/// (Newell's method, with differences to the first vertex, so that a contour far from the origin
-/// loses nothing).
-glm::dvec3 areaVector(const Contour& contour) {
-    glm::dvec3 sum(0.0);
-    const glm::dvec3 origin(contour.front());
-    for (std::size_t i = 2; i < contour.size(); ++i) {
-        sum += glm::cross(glm::dvec3(contour[i - 1]) - origin, glm::dvec3(contour[i]) - origin);
-    }
-    return sum;
-}
 
 bool isParallelogram(const PolygonLight& light) {
     if (light.contours.size() != 1 || light.contours.front().size() != 4) return false;
@@ -100,11 +50,7 @@ shared::PolygonData packPolygon(const PolygonLight& light, const glm::dvec3& nor
     return data;
 }
 
-shared::PunctualData packPunctual(const PunctualLight& light, std::size_t index) {
-    checkPower(light.intensity, "intensity", "punctual", index);
-    if (!isFinite(light.position) || !isFinite(light.direction)) {
-        throw Error(concat("expected a finite position and direction of punctual light ", index));
-    }
+shared::PunctualData packPunctual(const PunctualLight& light) {
     shared::PunctualData data{};
     data.position = glm::vec4(light.position, 1.0f / (light.range * light.range));
     data.direction =
@@ -120,25 +66,29 @@ shared::PunctualData packPunctual(const PunctualLight& light, std::size_t index)
     return data;
 }
 
+void pack(const PolygonLight& light, PackedLights& packed) {
+    const glm::dvec3 area = areaVector(light.contours.front());
+    const double length = glm::length(area);
+    if (!(length > 0.0)) return;
+    const glm::dvec3 normal = area / length;
+    if (isParallelogram(light)) {
+        packed.parallelograms.push_back(packParallelogram(light, normal));
+    } else {
+        packed.polygons.push_back(packPolygon(light, normal, packed.polygonVertices));
+    }
+}
+
 }  // namespace
 
 PackedLights packLights(const LightSet& lights) {
+    checkLights(lights);
     PackedLights packed;
-    for (std::size_t i = 0; i < lights.polygons.size(); ++i) {
-        const PolygonLight& light = lights.polygons[i];
-        checkPolygon(light, i);
-        const glm::dvec3 area = areaVector(light.contours.front());
-        const double length = glm::length(area);
-        if (!(length > 0.0)) continue;
-        const glm::dvec3 normal = area / length;
-        if (isParallelogram(light)) {
-            packed.parallelograms.push_back(packParallelogram(light, normal));
-        } else {
-            packed.polygons.push_back(packPolygon(light, normal, packed.polygonVertices));
-        }
+    for (const PolygonLight& light : lights.polygons) pack(light, packed);
+    for (const EllipseLight& light : lights.ellipses) {
+        pack(PolygonLight{{outline(light)}, light.radiance, light.twoSided}, packed);
     }
-    for (std::size_t i = 0; i < lights.punctuals.size(); ++i) {
-        packed.punctuals.push_back(packPunctual(lights.punctuals[i], i));
+    for (const PunctualLight& light : lights.punctuals) {
+        packed.punctuals.push_back(packPunctual(light));
     }
     return packed;
 }

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "lighting/light.hpp"
+#include "lights/light.hpp"
 #include "shared/light_data.h"
 
 namespace polylume {
@@ -19,11 +19,9 @@ struct PackedLights {
     std::vector<shared::PunctualData> punctuals;
 };
 
-/// Sorts the polygons into parallelograms, which have a faster path, and others. A light without
-/// area is left out: it gives no light. Throws Error that names the light by its index where a
-/// value is not finite, a radiance or intensity is negative or
-/// over kLargestEmission, or a contour has fewer than three
-/// vertices.
+/// Sorts the polygons into parallelograms, which have a faster path, and others; ellipses become
+/// polygons of 64 sides. A light without area is left out: it gives no light. Throws Error as
+/// checkLights() does.
 PackedLights packLights(const LightSet& lights);
 
 }  // namespace polylume

@@ -10,16 +10,13 @@
 #include "gl/program.hpp"
 #include "gl/shader_library.hpp"
 #include "lighting/gbuffer_layout.hpp"
-#include "lighting/light.hpp"
 #include "lighting/light_packing.hpp"
-#include "lighting/lighting_model.hpp"
 #include "lighting/table_texture.hpp"
+#include "lights/light.hpp"
+#include "lights/lighting_model.hpp"
 #include "ltc/table.hpp"
 
 namespace polylume {
-
-/// What the lighting adds up.
-enum class Lobes { diffuse, specular, all };
 
 /// Lights the surfaces of a G-buffer. Every call needs the context current that it was made in.
 class LightingPass {

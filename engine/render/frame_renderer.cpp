@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <array>
 
-#include "render/camera_projection.hpp"
-#include "render/scene_lights.hpp"
+#include "view/camera_projection.hpp"
+#include "view/scene_lights.hpp"
 
 namespace polylume {
 namespace {
@@ -19,11 +19,7 @@ LightingPass makeLighting(const gl::Functions& gl, const gl::ShaderLibrary& libr
     LightingPass lighting = options.specularTable
                                 ? LightingPass(gl, library, *options.specularTable, model)
                                 : LightingPass(gl, library, model);
-    LightSet lights = lightsOf(scene, options.twoSided);
-    const LightSet& extra = options.extraLights;
-    lights.polygons.insert(lights.polygons.end(), extra.polygons.begin(), extra.polygons.end());
-    lights.punctuals.insert(lights.punctuals.end(), extra.punctuals.begin(), extra.punctuals.end());
-    lighting.setLights(lights);
+    lighting.setLights(lightsOf(scene, options));
     lighting.setLobes(options.lobes);
     return lighting;
 }

@@ -5,10 +5,10 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "render/display_transform.hpp"
+#include "image/display_transform.hpp"
 #include "render/frame_renderer.hpp"
 #include "render/gbuffer_readback.hpp"
-#include "render/pixel_samples.hpp"
+#include "view/pixel_samples.hpp"
 
 namespace polylume {
 namespace {

@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstring>
 
-#include "render/srgb.hpp"
+#include "image/srgb.hpp"
 
 namespace polylume {
 namespace {

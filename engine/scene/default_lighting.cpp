@@ -41,7 +41,7 @@ float innermostReach(const AreaLight& light, const Camera& camera) {
     const glm::mat3 axes(camera.worldFromCamera);
     const glm::vec3 eye(camera.worldFromCamera[3]);
     float leftOf = INFINITY, rightOf = INFINITY, above = INFINITY, below = INFINITY;
-    for (const glm::vec3& corner : outline(light)) {
+    for (const glm::vec3& corner : corners(light)) {
         const glm::vec3 offset = glm::transpose(axes) * (corner - eye);
         float halfHeight = 0.0f;
         if (const auto* perspective = std::get_if<Perspective>(&camera.projection)) {

@@ -23,9 +23,9 @@ struct AreaLight {
     bool twoSided = false;
 };
 
-/// The light's contour in world space, counter-clockwise seen from its emitting side: 4 corners, or
-/// for a disk a regular polygon of `diskSides` sides and the disk's area.
-std::vector<glm::vec3> outline(const AreaLight& light, int diskSides = 64);
+/// The corners of a rectangle, or of the one around a disk, in world space, counter-clockwise seen
+/// from the emitting side.
+std::vector<glm::vec3> corners(const AreaLight& light);
 
 enum class PunctualLightType { directional, point, spot };
 

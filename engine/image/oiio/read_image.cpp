@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include <memory>
+#include <string_view>
 
 #include "core/error.hpp"
 #include "core/text.hpp"
@@ -25,6 +26,13 @@ ImageMetadata readMetadata(const OIIO::ImageSpec& spec) {
     return metadata;
 }
 
+PixelValues valuesOf(const OIIO::ImageInput& file) {
+    // An OpenEXR's integers are identities of objects and such, beside or in place of radiance.
+    const bool isExr = std::string_view(file.format_name()) == "openexr";
+    return isExr || file.spec().format.is_floating_point() ? PixelValues::linear
+                                                           : PixelValues::display;
+}
+
 }  // namespace
 
 FloatImage read(const std::filesystem::path& path) {
@@ -42,6 +50,7 @@ FloatImage read(const std::filesystem::path& path) {
     image.width = spec.width;
     image.height = spec.height;
     image.channelNames = spec.channelnames;
+    image.values = valuesOf(*file);
     image.metadata = readMetadata(spec);
     image.pixels.resize(static_cast<std::size_t>(spec.width) * spec.height * spec.nchannels);
     if (!file->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.pixels.data())) {

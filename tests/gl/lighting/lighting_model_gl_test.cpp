@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Polylume authors
 // SPDX-License-Identifier: MIT
 
-#include "lighting/lighting_model.hpp"
+#include "lights/lighting_model.hpp"
 
 #include <gmock/gmock.h>
 
@@ -70,7 +70,7 @@ class LightingModelTest : public test::GlTest {
   protected:
     struct Shaded {
         std::vector<glm::vec4> radiance;
-        std::vector<GBufferPixel> pixels;
+        std::vector<SurfacePixel> pixels;
     };
 
     Shaded shade(const LightingModel& model, const LightSet& lights,

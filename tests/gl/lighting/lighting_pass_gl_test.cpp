@@ -73,7 +73,7 @@ class LightingPassTest : public test::GlTest {
         }
         harness.setPoints(points);
         const std::vector<glm::vec4> shaded = harness.shade(lighting);
-        const std::vector<GBufferPixel> decoded = harness.decoded();
+        const std::vector<SurfacePixel> decoded = harness.decoded();
         double largest = 0.0;
         double error = 0.0;
         for (std::size_t i = 0; i < shaded.size(); ++i) {

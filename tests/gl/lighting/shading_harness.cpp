@@ -10,7 +10,7 @@
 
 namespace polylume::test {
 
-ReferenceShading shadeInDouble(const GBufferPixel& pixel, const PolygonLight& light,
+ReferenceShading shadeInDouble(const SurfacePixel& pixel, const PolygonLight& light,
                                const ltc::Table& table) {
     const glm::dvec3 normal = glm::normalize(glm::dvec3(pixel.normalWorld));
     const glm::dvec3 view = glm::normalize(glm::dvec3(pixel.viewWorld));
@@ -48,7 +48,7 @@ const ltc::Table& specularTableOf(const LightingModel& model) {
     return ltc::builtinTable(high ? BuiltinTable::ggxTwoLobes : BuiltinTable::ggx);
 }
 
-glm::dvec3 reflectInDouble(const GBufferPixel& pixel, const PolygonLight& light,
+glm::dvec3 reflectInDouble(const SurfacePixel& pixel, const PolygonLight& light,
                            const LightingModel& model) {
     using ltc::BuiltinTable;
     const ltc::Table& table = specularTableOf(model);
@@ -71,7 +71,7 @@ glm::dvec3 reflectInDouble(const GBufferPixel& pixel, const PolygonLight& light,
     glm::dvec3 sum = std::max(remaining, 0.0) * glm::dvec3(pixel.diffuseAlbedo) * diffuse +
                      reflectance * shading.specular;
     if (model.sheen && pixel.sheenColor != glm::vec3(0.0f)) {
-        GBufferPixel cloth = pixel;
+        SurfacePixel cloth = pixel;
         cloth.roughness = pixel.sheenRoughness;
         const ReferenceShading sheen =
             shadeInDouble(cloth, light, ltc::builtinTable(BuiltinTable::charlie));

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "lighting/lighting_pass.hpp"
-#include "render/camera_projection.hpp"
 #include "render/gbuffer.hpp"
 #include "render/gbuffer_readback.hpp"
 #include "render/octahedral.hpp"
+#include "view/camera_projection.hpp"
 
 namespace polylume::test {
 
@@ -94,7 +94,7 @@ class ShadingHarness {
     }
 
     /// What the shader decodes, rows from the top.
-    std::vector<GBufferPixel> decoded() const { return readGBuffer(gbuffer_, cameraData_); }
+    std::vector<SurfacePixel> decoded() const { return readGBuffer(gbuffer_, cameraData_); }
 
   private:
     const gl::Functions& gl_;
@@ -112,7 +112,7 @@ struct ReferenceShading {
     double albedo = 0.0;    ///< The table's, with F0 = F90 = 1.
 };
 
-ReferenceShading shadeInDouble(const GBufferPixel& pixel, const PolygonLight& light,
+ReferenceShading shadeInDouble(const SurfacePixel& pixel, const PolygonLight& light,
                                const ltc::Table& table);
 
 /// The built-in specular table of `model`.
@@ -120,7 +120,7 @@ const ltc::Table& specularTableOf(const LightingModel& model);
 
 /// The whole of shadeSurface() in double but emission: what the surface reflects of one polygon
 /// light by the built-in tables of `model`, in nits.
-glm::dvec3 reflectInDouble(const GBufferPixel& pixel, const PolygonLight& light,
+glm::dvec3 reflectInDouble(const SurfacePixel& pixel, const PolygonLight& light,
                            const LightingModel& model);
 
 }  // namespace polylume::test

@@ -285,7 +285,7 @@ TEST_P(TrapSweepTest, everyFormFactorIsInRange) {
             harness.setPoints(points);
             lighting.setLights(sweep.makeLights());
             const std::vector<glm::vec4> shaded = harness.shade(lighting);
-            const std::vector<GBufferPixel> pixels = harness.decoded();
+            const std::vector<SurfacePixel> pixels = harness.decoded();
             for (std::size_t i = 0; i < shaded.size(); ++i) {
                 const float cosine = glm::dot(pixels[i].normalWorld, pixels[i].viewWorld);
                 (cosine > kAvertedCosine ? facing : averted).include(shaded[i]);

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "gl/lighting/shading_harness.hpp"
-#include "render/scene_lights.hpp"
 #include "render_fixture.hpp"
+#include "view/scene_lights.hpp"
 
 namespace polylume {
 namespace {
@@ -13,6 +13,15 @@ namespace {
 using test::Frame;
 
 constexpr glm::ivec2 kSize{96, 72};
+
+/// The scene's area lights as the polygons that the lighting pass makes of them.
+LightSet polygonsOf(const scene::Scene& scene) {
+    LightSet lights = lightsOf(scene, {});
+    for (const EllipseLight& light : lights.ellipses) {
+        lights.polygons.push_back({{outline(light)}, light.radiance, light.twoSided});
+    }
+    return lights;
+}
 
 /// An L with a square hole over the floor, facing down: clockwise seen from above.
 PolygonLight makeHoledLight(float height) {
@@ -39,7 +48,7 @@ class AreaLightTest : public test::RenderTest {
                                        std::size_t& wrongCount, double& worst) {
         std::size_t surfaceCount = 0;
         for (std::size_t i = 0; i < frame.gbuffer.size(); ++i) {
-            const GBufferPixel& pixel = frame.gbuffer[i];
+            const SurfacePixel& pixel = frame.gbuffer[i];
             if (!pixel.isSurface) continue;
             ++surfaceCount;
             const double factor = test::shadeInDouble(pixel, claimed, table()).diffuse;
@@ -85,7 +94,7 @@ TEST_P(AreaLightTest, lambertFloorUnderARectangleIsItsFormFactor) {
     RenderOptions options = test::makeOptions(kSize);
     options.hideLights = true;
     expectFormFactors(drawFrame(scene, floorCamera(), options),
-                      lightsOf(scene, false).polygons.front());
+                      polygonsOf(scene).polygons.front());
 }
 
 TEST_P(AreaLightTest, lambertFloorUnderAConcavePolygonWithAHoleIsItsFormFactor) {
@@ -152,7 +161,7 @@ class SpecularTest : public AreaLightTest {
     }
 
     /// By design.md section 4: luminance * reflectance * E / H.
-    static glm::dvec3 specularOf(const GBufferPixel& pixel, const LightSet& lights) {
+    static glm::dvec3 specularOf(const SurfacePixel& pixel, const LightSet& lights) {
         glm::dvec3 sum(0.0);
         for (const PolygonLight& light : lights.polygons) {
             sum += test::shadeInDouble(pixel, light, table()).specular * glm::dvec3(light.radiance);
@@ -160,7 +169,7 @@ class SpecularTest : public AreaLightTest {
         return sum * reflectanceOf(pixel);
     }
 
-    static glm::dvec3 reflectanceOf(const GBufferPixel& pixel) {
+    static glm::dvec3 reflectanceOf(const SurfacePixel& pixel) {
         const glm::dvec3 normal = glm::normalize(glm::dvec3(pixel.normalWorld));
         const glm::dvec3 view = glm::normalize(glm::dvec3(pixel.viewWorld));
         const double cosView = std::clamp(glm::dot(normal, view), 1e-4, 1.0);
@@ -194,7 +203,7 @@ TEST_P(SpecularTest, equalsDoublePrecisionOnAFloorAndASphere) {
     for (const float roughness : {0.05f, 0.1f, 0.35f, 0.5f, 0.75f, 1.0f}) {
         const scene::Scene scene = makeSpecularScene(roughness);
         const Frame frame = drawFrame(scene, floorCamera(), options);
-        const double error = largestError(frame, lightsOf(scene, false));
+        const double error = largestError(frame, polygonsOf(scene));
         RecordProperty("r = " + std::to_string(roughness), std::to_string(error));
         EXPECT_LT(error, 1e-4) << "r = " << roughness;
     }
@@ -206,8 +215,8 @@ TEST_P(SpecularTest, theComparisonFindsARoughnessOffByAHundredth) {
     options.lobes = Lobes::specular;
     const scene::Scene scene = makeSpecularScene(0.35f);
     Frame frame = drawFrame(scene, floorCamera(), options);
-    for (GBufferPixel& pixel : frame.gbuffer) pixel.roughness += 0.01f;
-    EXPECT_GT(largestError(frame, lightsOf(scene, false)), 1e-3);
+    for (SurfacePixel& pixel : frame.gbuffer) pixel.roughness += 0.01f;
+    EXPECT_GT(largestError(frame, polygonsOf(scene)), 1e-3);
 }
 
 TEST_P(SpecularTest, whatIsReflectedAtTheSurfaceIsNotScattered) {
@@ -219,10 +228,10 @@ TEST_P(SpecularTest, whatIsReflectedAtTheSurfaceIsNotScattered) {
     options.hideLights = true;
     options.lobes = Lobes::diffuse;
     const Frame frame = drawFrame(scene, floorCamera(), options);
-    const PolygonLight light = lightsOf(scene, false).polygons.front();
+    const PolygonLight light = polygonsOf(scene).polygons.front();
     double largest = 0.0;
     for (std::size_t i = 0; i < frame.gbuffer.size(); ++i) {
-        const GBufferPixel& pixel = frame.gbuffer[i];
+        const SurfacePixel& pixel = frame.gbuffer[i];
         if (!pixel.isSurface) continue;
         const glm::dvec3 reflectance = reflectanceOf(pixel);
         const double rest = 1.0 - std::max({reflectance.r, reflectance.g, reflectance.b});

@@ -4,8 +4,8 @@
 #include "render/emitter_pass.hpp"
 
 #include "gl/lighting/shading_harness.hpp"
-#include "render/camera_projection.hpp"
 #include "render_fixture.hpp"
+#include "view/camera_projection.hpp"
 
 namespace polylume {
 namespace {
@@ -223,11 +223,11 @@ TEST_P(EmitterTest, aHoleShowsWhatIsBehind) {
         gbuffer.begin();
         geometry.draw();
         emitters.draw();
-        const std::vector<GBufferPixel> pixels = readGBuffer(gbuffer, camera);
+        const std::vector<SurfacePixel> pixels = readGBuffer(gbuffer, camera);
         for (int i = 0; i < kSize * kSize; ++i) {
             const glm::vec2 p = (glm::vec2(i % kSize, i / kSize) + 0.5f) * (2.0f / kSize) - 1.0f;
             const bool lit = isLight({p.x, -p.y}) && !reversed;
-            const GBufferPixel& pixel = pixels[static_cast<std::size_t>(i)];
+            const SurfacePixel& pixel = pixels[static_cast<std::size_t>(i)];
             ASSERT_EQ(pixel.emission, lit ? kNits : glm::vec3(3.0f)) << i;
             ASSERT_NEAR(pixel.distance, lit ? 5.0f : 5.5f, 1e-5f);
             ASSERT_EQ(pixel.diffuseAlbedo.x > 0.0f, !lit);

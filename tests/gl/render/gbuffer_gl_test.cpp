@@ -79,7 +79,7 @@ TEST_P(GBufferTest, holdsWhatTheMaterialSays) {
         drawFrame(scene, test::makeFrontCamera(), test::makeOptions({kSize, kSize}));
     // 16-bit unsigned-normalised: half a step of 1 / 65535, and float's rounding.
     constexpr float kStep = 0.51f / 65535.0f;
-    for (const GBufferPixel& pixel : frame.gbuffer) {
+    for (const SurfacePixel& pixel : frame.gbuffer) {
         ASSERT_TRUE(pixel.isSurface);
         ASSERT_NEAR(pixel.roughness, 0.375f, kStep);
         for (int c = 0; c < 3; ++c) {
@@ -129,7 +129,7 @@ TEST_P(GBufferTest, positionComesFromDepth) {
         const Frame frame = drawFrame(scene, seen, test::makeOptions(size));
         const glm::dvec3 eye(seen.worldFromCamera[3]);
         for (int i = 0; i < size.x * size.y; ++i) {
-            const GBufferPixel& pixel = frame.gbuffer[static_cast<std::size_t>(i)];
+            const SurfacePixel& pixel = frame.gbuffer[static_cast<std::size_t>(i)];
             ASSERT_TRUE(pixel.isSurface);
             const glm::dvec3 expected = pointOnFloor(seen, size, i);
             worst = std::max(worst, glm::distance(glm::dvec3(pixel.positionWorld), expected) /
@@ -173,7 +173,7 @@ TEST_P(GBufferTest, aovsAreItsLayers) {
         return index ? image.pixels[i * image.channelCount() + *index] : NAN;
     };
     for (std::size_t i = 0; i < frame.gbuffer.size(); ++i) {
-        const GBufferPixel& pixel = frame.gbuffer[i];
+        const SurfacePixel& pixel = frame.gbuffer[i];
         const auto vector = [&](const std::string& layer, const char* letters) {
             return glm::vec3(channel(i, (layer + "." + letters[0]).c_str()),
                              channel(i, (layer + "." + letters[1]).c_str()),

@@ -18,7 +18,7 @@ class InstanceTest : public test::RenderTest {
     }
 
     /// The middle pixel, as the front camera sees it.
-    GBufferPixel drawOne(const scene::Scene& scene) {
+    SurfacePixel drawOne(const scene::Scene& scene) {
         return drawFrame(scene, test::makeFrontCamera(), test::makeOptions({1, 1})).gbuffer.front();
     }
 };
@@ -41,7 +41,7 @@ TEST_P(InstanceTest, doubleSidedTurnsItsNormalToTheViewer) {
     scene.materials.front().doubleSided = true;
     expectNear(drawOne(scene).normalWorld, {0, 0, 1}, 1e-6f);
     scene.instances.front().worldFromObject = kTurnedAway;
-    const GBufferPixel pixel = drawOne(scene);
+    const SurfacePixel pixel = drawOne(scene);
     EXPECT_TRUE(pixel.isSurface);
     // A rotation by pi in float is off by 1e-7.
     expectNear(pixel.normalWorld, {0, 0, 1}, 1e-6f);
@@ -51,11 +51,11 @@ TEST_P(InstanceTest, mirroringKeepsTheFrontInFront) {
     for (const bool doubleSided : {false, true}) {
         scene::Scene scene = makeQuadScene(kMirrored);
         scene.materials.front().doubleSided = doubleSided;
-        const GBufferPixel front = drawOne(scene);
+        const SurfacePixel front = drawOne(scene);
         EXPECT_TRUE(front.isSurface);
         expectNear(front.normalWorld, {0, 0, 1}, 1e-6f);
         scene.instances.front().worldFromObject = kTurnedAway * kMirrored;
-        const GBufferPixel back = drawOne(scene);
+        const SurfacePixel back = drawOne(scene);
         EXPECT_EQ(back.isSurface, doubleSided);
         if (doubleSided) expectNear(back.normalWorld, {0, 0, 1}, 1e-6f);
     }
@@ -111,7 +111,7 @@ TEST_P(InstanceTest, nonUniformScaleKeepsNormalsPerpendicular) {
         scene.instances.front().worldFromObject = glm::scale(kIdentity, sign * radii);
         const Frame frame = drawFrame(scene, test::makeFrontCamera(), test::makeOptions({32, 32}));
         int count = 0;
-        for (const GBufferPixel& pixel : frame.gbuffer) {
+        for (const SurfacePixel& pixel : frame.gbuffer) {
             if (!pixel.isSurface) continue;
             const glm::vec3 gradient = glm::normalize(pixel.positionWorld / (radii * radii));
             // The edge of the picture is that of a polyhedron of 64 rings: 1.4 degrees a facet.

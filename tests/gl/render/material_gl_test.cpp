@@ -4,8 +4,8 @@
 #include <cstring>
 
 #include "gl/lighting/shading_harness.hpp"
-#include "render/scene_lights.hpp"
 #include "render_fixture.hpp"
+#include "view/scene_lights.hpp"
 
 namespace polylume {
 namespace {
@@ -45,7 +45,7 @@ class MaterialTest : public test::RenderTest {
         return static_cast<int>(scene_.textures.size()) - 1;
     }
 
-    GBufferPixel draw() {
+    SurfacePixel draw() {
         const Frame frame = drawFrame(scene_, test::makeFrontCamera(), test::makeOptions({2, 2}));
         EXPECT_TRUE(frame.gbuffer.front().isSurface);
         EXPECT_EQ(frame.gbuffer.front().f0, frame.gbuffer.back().f0);
@@ -65,7 +65,7 @@ TEST_P(MaterialTest, metallicIsBlueAndRoughnessGreen) {
     material().metallicFactor = 0.5f;
     material().roughnessFactor = 0.75f;
     material().metallicRoughness.texture = addTexel({0.9f, 0.4f, 0.6f, 0.1f});
-    const GBufferPixel pixel = draw();
+    const SurfacePixel pixel = draw();
     EXPECT_NEAR(pixel.roughness, 0.75f * 0.4f, kStep);
     const float metallic = 0.5f * 0.6f;
     expectNear(pixel.diffuseAlbedo, (1.0f - metallic) * glm::vec3(0.8f, 0.6f, 0.4f), 2 * kStep);
@@ -101,16 +101,16 @@ TEST_P(MaterialTest, occlusionStrengthBlendsTowardOne) {
 }
 
 TEST_P(MaterialTest, sheenIsFactorTimesTexture) {
-    const GBufferPixel bare = draw();
+    const SurfacePixel bare = draw();
     EXPECT_EQ(bare.sheenColor, glm::vec3(0.0f));
     material().sheenColorFactor = {0.8f, 0.4f, 0.2f};
     material().sheenRoughnessFactor = 0.5f;
-    const GBufferPixel factors = draw();
+    const SurfacePixel factors = draw();
     expectNear(factors.sheenColor, {0.8f, 0.4f, 0.2f}, kStep);
     EXPECT_NEAR(factors.sheenRoughness, 0.5f, kStep);
     material().sheenColor.texture = addTexel({0.5f, 0.25f, 1.0f, 0.1f});
     material().sheenRoughness.texture = addTexel({0.1f, 0.1f, 0.1f, 0.4f});
-    const GBufferPixel textured = draw();
+    const SurfacePixel textured = draw();
     expectNear(textured.sheenColor, {0.4f, 0.1f, 0.2f}, 1e-4f);
     EXPECT_NEAR(textured.sheenRoughness, 0.2f, 1e-4f);
     // What else the surface is has not changed.
@@ -127,8 +127,8 @@ TEST_P(MaterialTest, sheenIsOverWhatIsBelow) {
         test::makeRectangleLight({1, 2, 2}, {-1, -2, -2}, {2, 1}, {1000, 800, 600}));
     material().sheenColorFactor = {0.2f, 0.5f, 1.0f};
     material().sheenRoughnessFactor = 0.4f;
-    const LightSet lights = lightsOf(scene_, false);
-    const GBufferPixel pixel = draw();
+    const LightSet lights = lightsOf(scene_, {});
+    const SurfacePixel pixel = draw();
     const glm::dvec3 expected =
         test::reflectInDouble(pixel, lights.polygons.front(), {.sheen = true});
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(radiance_[c], expected[c], 1e-5 * expected.r);
@@ -158,7 +158,7 @@ TEST_P(MaterialTest, emissionIsInNits) {
     draw();
     EXPECT_EQ(radiance_, glm::vec4(12000.0f, 300.0f, 0.5f, 1.0f));
     material().emissive.texture = addTexel({0.2f, 0.4f, 0.6f, 0.0f});
-    const GBufferPixel pixel = draw();
+    const SurfacePixel pixel = draw();
     expectNear(pixel.emission / material().emissiveFactor, {0.2f, 0.4f, 0.6f}, 1e-6f);
     expectNear(glm::vec3(radiance_) / material().emissiveFactor, {0.2f, 0.4f, 0.6f}, 1e-6f);
 }
@@ -168,7 +168,7 @@ TEST_P(MaterialTest, unlitShowsItsBaseColorAlone) {
     material().unlit = true;
     material().baseColorFactor = {0.7f, 0.2f, 0.1f, 1.0f};
     material().emissiveFactor = glm::vec3(50.0f);
-    const GBufferPixel pixel = draw();
+    const SurfacePixel pixel = draw();
     expectNear(glm::vec3(radiance_), {0.7f, 0.2f, 0.1f}, 1e-7f);
     EXPECT_EQ(pixel.diffuseAlbedo, glm::vec3(0.0f));
     EXPECT_EQ(pixel.f0, glm::vec3(0.0f));
@@ -181,7 +181,7 @@ TEST_P(MaterialTest, iorSetsTheReflectanceAtNormalIncidence) {
         {1.5f, 0.04f}, {1.0f, 0.0f}, {1.33f, 0.020059f}, {2.4f, 0.169550f}, {0.0f, 1.0f}};
     for (const auto& [ior, expected] : values) {
         material().ior = ior;
-        const GBufferPixel pixel = draw();
+        const SurfacePixel pixel = draw();
         expectNear(pixel.f0, glm::vec3(expected), kStep + 1e-6f);
         EXPECT_EQ(pixel.f90, 1.0f);
     }
@@ -192,7 +192,7 @@ TEST_P(MaterialTest, specularScalesTheDielectric) {
     material().ior = 2.0f;  // F0 = 1/9
     material().specularFactor = 0.5f;
     material().specularColorFactor = {1.0f, 4.5f, 18.0f};
-    GBufferPixel pixel = draw();
+    SurfacePixel pixel = draw();
     expectNear(pixel.f0, {0.5f / 9.0f, 0.25f, 0.5f}, kStep + 1e-6f);
     EXPECT_NEAR(pixel.f90, 0.5f, kStep);
 
@@ -207,7 +207,7 @@ TEST_P(MaterialTest, specularLeavesMetalsAlone) {
     material().baseColorFactor = {0.8f, 0.6f, 0.4f, 1.0f};
     material().metallicFactor = 1.0f;
     material().specularFactor = 0.0f;
-    const GBufferPixel pixel = draw();
+    const SurfacePixel pixel = draw();
     expectNear(pixel.f0, {0.8f, 0.6f, 0.4f}, kStep);
     EXPECT_EQ(pixel.f90, 1.0f);
     EXPECT_EQ(pixel.diffuseAlbedo, glm::vec3(0.0f));
@@ -216,7 +216,7 @@ TEST_P(MaterialTest, specularLeavesMetalsAlone) {
 TEST_P(MaterialTest, factorsPastOneDoNotGainEnergy) {
     mesh().colors.assign(4, {3.0f, 0.5f, 2.0f, 1.0f});
     material().ior = 0.0f;
-    const GBufferPixel pixel = draw();
+    const SurfacePixel pixel = draw();
     expectNear(pixel.diffuseAlbedo, {1.0f, 0.5f, 1.0f}, kStep);
     expectNear(pixel.f0, glm::vec3(1.0f), kStep);
 }
@@ -238,7 +238,7 @@ TEST_P(MaterialTest, eachSlotHasItsTransformAndItsTexCoordSet) {
     material().emissive.texCoordSet = 1;
     // KHR_texture_transform, columns: an offset by half the image.
     material().occlusion.uvFromTexCoord = glm::mat3(1, 0, 0, 0, 1, 0, 0.5f, 0, 1);
-    GBufferPixel pixel = draw();
+    SurfacePixel pixel = draw();
     EXPECT_NEAR(pixel.diffuseAlbedo.x, 0.2f, 2 * kStep);
     EXPECT_NEAR(pixel.emission.x, 0.8f, 1e-5f);
     EXPECT_NEAR(pixel.occlusion, 0.8f, 1e-5f);
@@ -289,7 +289,7 @@ TEST_P(MaterialTest, aNormalMapTurnsWithItsInstance) {
 TEST_P(MaterialTest, anEmptyNormalMapIsHarmless) {
     // (0, 0, 0) after decoding within a step: no direction at all.
     material().normal.texture = addTexel({0.5f, 0.5f, 0.5f, 1.0f});
-    const GBufferPixel pixel = draw();
+    const SurfacePixel pixel = draw();
     EXPECT_NEAR(glm::length(pixel.normalWorld), 1.0f, 1e-5f);
 }
 

@@ -31,7 +31,7 @@ class PunctualLightTest : public test::RenderTest {
         double largest = 0.0;
         double error = 0.0;
         for (std::size_t i = 0; i < frame.gbuffer.size(); ++i) {
-            const GBufferPixel& pixel = frame.gbuffer[i];
+            const SurfacePixel& pixel = frame.gbuffer[i];
             if (!pixel.isSurface) continue;
             for (int c = 0; c < 3; ++c) {
                 const double expected = pixel.diffuseAlbedo[c] / kPi * light.intensity[c] *
@@ -148,7 +148,7 @@ TEST_P(PunctualLightTest, specularIsGgx) {
         double largest = 0.0;
         double error = 0.0;
         for (std::size_t i = 0; i < frame.gbuffer.size(); ++i) {
-            const GBufferPixel& pixel = frame.gbuffer[i];
+            const SurfacePixel& pixel = frame.gbuffer[i];
             if (!pixel.isSurface) continue;
             // The floor's normal is +y: swapping y and z makes it the shading frame's.
             const glm::dvec3 offset = glm::dvec3(kPosition) - glm::dvec3(pixel.positionWorld);

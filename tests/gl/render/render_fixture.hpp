@@ -16,7 +16,7 @@ namespace polylume::test {
 
 /// What one frame at the pixels' centres leaves. Rows from the top.
 struct Frame {
-    std::vector<GBufferPixel> gbuffer;
+    std::vector<SurfacePixel> gbuffer;
     std::vector<glm::vec4> radiance;
 };
 

@@ -61,7 +61,7 @@ class TextureTest : public test::RenderTest {
         scene.materials.front().specular.texture = 0;
         const Frame frame = drawFrame(scene, test::makeFrontCamera(), test::makeOptions(size));
         std::vector<glm::vec4> texels;
-        for (const GBufferPixel& pixel : frame.gbuffer) {
+        for (const SurfacePixel& pixel : frame.gbuffer) {
             texels.emplace_back(pixel.emission, pixel.f90);
         }
         return texels;

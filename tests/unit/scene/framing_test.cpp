@@ -84,7 +84,7 @@ TEST(DefaultRigTest, facesTheObjectFromOutsideThePicture) {
                 EXPECT_NEAR(glm::determinant(light.worldFromLight), 1.0f, 1e-5f);
                 // All corners in front of the camera lie beyond one same side of the picture.
                 int beyond[4] = {0, 0, 0, 0}, inFront = 0;
-                for (const glm::vec3& point : outline(light)) {
+                for (const glm::vec3& point : corners(light)) {
                     const glm::vec3 projected = project(camera, point, aspectRatio);
                     if (projected.z <= 0.0f) continue;
                     ++inFront;

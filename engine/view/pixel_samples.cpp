@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Polylume authors
 // SPDX-License-Identifier: MIT
 
-#include "render/pixel_samples.hpp"
+#include "view/pixel_samples.hpp"
 
 #include <algorithm>
 #include <numeric>

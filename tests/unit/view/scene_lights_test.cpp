@@ -1,33 +1,51 @@
 // SPDX-FileCopyrightText: 2026 The Polylume authors
 // SPDX-License-Identifier: MIT
 
-#include "render/scene_lights.hpp"
+#include "view/scene_lights.hpp"
 
 #include <gtest/gtest.h>
 
 namespace polylume {
 namespace {
 
-TEST(SceneLightsTest, areaLightsBecomePolygons) {
+TEST(SceneLightsTest, areaLightsKeepTheirShape) {
     scene::Scene scene;
     scene.areaLights.resize(2);
     scene.areaLights[0].radiance = {1, 2, 3};
     scene.areaLights[1].shape = scene::AreaLightShape::disk;
     scene.areaLights[1].twoSided = true;
-    const LightSet lights = lightsOf(scene, false);
-    ASSERT_EQ(lights.polygons.size(), 2u);
+    const LightSet lights = lightsOf(scene, {});
+    ASSERT_EQ(lights.polygons.size(), 1u);
     EXPECT_EQ(lights.polygons[0].contours.front().size(), 4u);
     EXPECT_EQ(lights.polygons[0].radiance, glm::vec3(1, 2, 3));
     EXPECT_FALSE(lights.polygons[0].twoSided);
-    EXPECT_EQ(lights.polygons[1].contours.front().size(), 64u);
-    EXPECT_TRUE(lights.polygons[1].twoSided);
+    ASSERT_EQ(lights.ellipses.size(), 1u);
+    const EllipseLight& disk = lights.ellipses[0];
+    EXPECT_TRUE(disk.twoSided);
+    EXPECT_EQ(glm::cross(disk.halfAxisX, disk.halfAxisY), glm::vec3(0, 0, -0.25f));
 }
 
 TEST(SceneLightsTest, twoSidedHoldsForEveryAreaLight) {
     scene::Scene scene;
     scene.areaLights.resize(3);
     scene.areaLights[1].twoSided = true;
-    for (const PolygonLight& light : lightsOf(scene, true).polygons) EXPECT_TRUE(light.twoSided);
+    scene.areaLights[2].shape = scene::AreaLightShape::disk;
+    ViewOptions options;
+    options.twoSided = true;
+    const LightSet lights = lightsOf(scene, options);
+    for (const PolygonLight& light : lights.polygons) EXPECT_TRUE(light.twoSided);
+    for (const EllipseLight& light : lights.ellipses) EXPECT_TRUE(light.twoSided);
+}
+
+TEST(SceneLightsTest, extraLightsComeBesideTheScenes) {
+    scene::Scene scene;
+    scene.areaLights.resize(1);
+    ViewOptions options;
+    options.extraLights = {{PolygonLight{}}, {PunctualLight{}}, {EllipseLight{}}};
+    const LightSet lights = lightsOf(scene, options);
+    EXPECT_EQ(lights.polygons.size(), 2u);
+    EXPECT_EQ(lights.ellipses.size(), 1u);
+    EXPECT_EQ(lights.punctuals.size(), 1u);
 }
 
 TEST(SceneLightsTest, punctualLightsKeepEveryValue) {
@@ -44,7 +62,7 @@ TEST(SceneLightsTest, punctualLightsKeepEveryValue) {
         light.type = type;
         scene.punctualLights.push_back(light);
     }
-    const LightSet lights = lightsOf(scene, true);
+    const LightSet lights = lightsOf(scene, {});
     ASSERT_EQ(lights.punctuals.size(), 3u);
     EXPECT_EQ(lights.punctuals[0].kind, PunctualLightKind::directional);
     EXPECT_EQ(lights.punctuals[1].kind, PunctualLightKind::point);

@@ -1,32 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Polylume authors
 // SPDX-License-Identifier: MIT
 
-#include "figures/color_map.hpp"
+#include "image/color_map.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <glm/glm.hpp>
 #include <numbers>
 
-#include <glm/glm.hpp>
+#include "image/cie_lab.hpp"
 
-namespace polylume::figures {
+namespace polylume {
 namespace {
-
-// D65, and the primaries of Rec. 709 (IEC 61966-2-1), columns first.
-const glm::dvec3 kWhite(0.95047, 1.0, 1.08883);
-const glm::dmat3 kXyzFromRgb(0.4124, 0.2126, 0.0193, 0.3576, 0.7152, 0.1192, 0.1805, 0.0722,
-                             0.9505);
-
-/// The inverse of CIE 1976's cube root with its linear foot.
-double unrooted(double t) {
-    constexpr double kKnee = 6.0 / 29.0;
-    return t > kKnee ? t * t * t : 3.0 * kKnee * kKnee * (t - 4.0 / 29.0);
-}
-
-double rooted(double t) {
-    constexpr double kKnee = 6.0 / 29.0;
-    return t > kKnee * kKnee * kKnee ? std::cbrt(t) : t / (3.0 * kKnee * kKnee) + 4.0 / 29.0;
-}
 
 /// Linear RGB of L*, chroma and hue of CIE 1976 L*a*b*.
 glm::dvec3 linearOf(double light, double chroma, double hueDegrees) {
@@ -34,8 +19,8 @@ glm::dvec3 linearOf(double light, double chroma, double hueDegrees) {
     const double fy = (light + 16.0) / 116.0;
     const double fx = fy + chroma * std::cos(hue) / 500.0;
     const double fz = fy - chroma * std::sin(hue) / 200.0;
-    const glm::dvec3 xyz = kWhite * glm::dvec3(unrooted(fx), unrooted(fy), unrooted(fz));
-    return glm::inverse(kXyzFromRgb) * xyz;
+    return glm::inverse(kRelativeXyzFromLinear) *
+           glm::dvec3(labUnroot(fx), labUnroot(fy), labUnroot(fz));
 }
 
 bool isShown(const glm::dvec3& linear) {
@@ -82,9 +67,10 @@ Color heatColor(double value) {
 double lightness(const Color& color) {
     double luminance = 0.0;
     for (int i = 0; i < 3; ++i) {
-        luminance += kXyzFromRgb[i][1] * decoded(color[static_cast<std::size_t>(i)] / 255.0);
+        luminance +=
+            kRelativeXyzFromLinear[i][1] * decoded(color[static_cast<std::size_t>(i)] / 255.0);
     }
-    return 116.0 * rooted(luminance) - 16.0;
+    return 116.0 * labRoot(luminance) - 16.0;
 }
 
-}  // namespace polylume::figures
+}  // namespace polylume

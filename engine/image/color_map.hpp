@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 
-namespace polylume::figures {
+namespace polylume {
 
 /// An sRGB-encoded colour.
 using Color = std::array<std::uint8_t, 3>;
@@ -20,4 +20,4 @@ Color heatColor(double value);
 /// CIE 1976 L*, in [0, 100], of an sRGB colour.
 double lightness(const Color& color);
 
-}  // namespace polylume::figures
+}  // namespace polylume

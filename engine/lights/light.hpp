@@ -18,6 +18,16 @@ struct PolygonLight {
     bool twoSided = false;
 };
 
+/// A flat Lambertian emitter with the outline of an ellipse or a disk.
+struct EllipseLight {
+    glm::vec3 center{0.0f};
+    /// Half axes, at right angles; emits toward cross(halfAxisX, halfAxisY).
+    glm::vec3 halfAxisX{0.5f, 0.0f, 0.0f};
+    glm::vec3 halfAxisY{0.0f, 0.5f, 0.0f};
+    glm::vec3 radiance{1000.0f};  ///< Nits per channel.
+    bool twoSided = false;
+};
+
 enum class PunctualLightKind { directional, point, spot };
 
 /// A light without extent, as KHR_lights_punctual has them.
@@ -34,6 +44,18 @@ struct PunctualLight {
 struct LightSet {
     std::vector<PolygonLight> polygons;
     std::vector<PunctualLight> punctuals;
+    std::vector<EllipseLight> ellipses{};
 };
+
+/// Throws Error that names the light by its index where a value is not finite, a radiance or
+/// intensity is negative or over kLargestEmission, or a contour has fewer than three vertices.
+void checkLights(const LightSet& lights);
+
+/// Twice the area of a contour, along the normal of the side from which it turns counter-clockwise.
+glm::dvec3 areaVector(const std::vector<glm::vec3>& contour);
+
+/// A regular polygon of `sides` sides stretched to the ellipse, of the ellipse's area; it turns
+/// counter-clockwise seen from the emitting side.
+std::vector<glm::vec3> outline(const EllipseLight& light, int sides = 64);
 
 }  // namespace polylume

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Polylume authors
 // SPDX-License-Identifier: MIT
 
-#include "render/display_transform.hpp"
+#include "image/display_transform.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Polylume authors
 // SPDX-License-Identifier: MIT
 
-#include "figures/color_map.hpp"
+#include "image/color_map.hpp"
 
 #include <gtest/gtest.h>
 
-namespace polylume::figures {
+namespace polylume {
 namespace {
 
 TEST(ColorMap, lightnessGrowsEvenly) {
@@ -32,4 +32,4 @@ TEST(ColorMap, valuesBeyondTheEndsAreThoseOfTheEnds) {
 }
 
 }  // namespace
-}  // namespace polylume::figures
+}  // namespace polylume

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Polylume authors
 // SPDX-License-Identifier: MIT
 
-#include "render/camera_projection.hpp"
+#include "view/camera_projection.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Polylume authors
 // SPDX-License-Identifier: MIT
 
-#include "render/display_transform.hpp"
+#include "image/display_transform.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
 
-#include "render/srgb.hpp"
+#include "image/srgb.hpp"
 
 namespace polylume {
 namespace {

@@ -14,6 +14,9 @@ enum class Diffuse { lambert, burley, orenNayar };
 /// Lobes of a specular table: one, or two, which follow the BRDF more closely and cost more.
 enum class Quality { standard, high };
 
+/// What the lighting adds up.
+enum class Lobes { diffuse, specular, all };
+
 /// How surfaces reflect: area lights by LTC tables, lights without extent by the BRDFs themselves.
 struct LightingModel {
     Specular specular = Specular::ggx;

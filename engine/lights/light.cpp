@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Polylume authors
+// SPDX-License-Identifier: MIT
+
+#include "lights/light.hpp"
+
+#include <numbers>
+#include <string_view>
+
+#include "core/error.hpp"
+#include "core/limits.hpp"
+#include "core/text.hpp"
+
+namespace polylume {
+namespace {
+
+bool isFinite(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+void checkPower(const glm::vec3& power, std::string_view name, std::string_view kind,
+                std::size_t index) {
+    const glm::vec3 most(kLargestEmission);
+    if (glm::all(glm::greaterThanEqual(power, glm::vec3(0.0f))) &&
+        glm::all(glm::lessThanEqual(power, most)))
+        return;
+    throw Error(concat("expected ", name, " of ", kind, " light ", index, " to be from 0 to ",
+                       kLargestEmission, ", found (", power.x, ", ", power.y, ", ", power.z, ")"));
+}
+
+void checkPolygon(const PolygonLight& light, std::size_t index) {
+    checkPower(light.radiance, "radiance", "polygon", index);
+    if (light.contours.empty()) {
+        throw Error(concat("expected polygon light ", index, " to have a contour, found none"));
+    }
+    for (const auto& contour : light.contours) {
+        if (contour.size() < 3) {
+            throw Error(concat("expected a contour of polygon light ", index,
+                               " to have 3 vertices or more, found ", contour.size()));
+        }
+        for (const glm::vec3& vertex : contour) {
+            if (!isFinite(vertex)) {
+                throw Error(concat("expected finite vertices in polygon light ", index, ", found (",
+                                   vertex.x, ", ", vertex.y, ", ", vertex.z, ")"));
+            }
+        }
+    }
+}
+
+void checkEllipse(const EllipseLight& light, std::size_t index) {
+    checkPower(light.radiance, "radiance", "ellipse", index);
+    if (isFinite(light.center) && isFinite(light.halfAxisX) && isFinite(light.halfAxisY)) return;
+    throw Error(concat("expected a finite centre and finite half axes of ellipse light ", index));
+}
+
+void checkPunctual(const PunctualLight& light, std::size_t index) {
+    checkPower(light.intensity, "intensity", "punctual", index);
+    if (isFinite(light.position) && isFinite(light.direction)) return;
+    throw Error(concat("expected a finite position and direction of punctual light ", index));
+}
+
+template <typename Light, typename Check>
+void checkEach(const std::vector<Light>& lights, const Check& check) {
+    for (std::size_t i = 0; i < lights.size(); ++i) check(lights[i], i);
+}
+
+}  // namespace
+
+void checkLights(const LightSet& lights) {
+    checkEach(lights.polygons, checkPolygon);
+    checkEach(lights.ellipses, checkEllipse);
+    checkEach(lights.punctuals, checkPunctual);
+}
+
+glm::dvec3 areaVector(const std::vector<glm::vec3>& contour) {
+    // Newell's method, with differences to the first vertex, so that a contour far from the origin
+    // loses nothing.
+    glm::dvec3 sum(0.0);
+    const glm::dvec3 origin(contour.front());
+    for (std::size_t i = 2; i < contour.size(); ++i) {
+        sum += glm::cross(glm::dvec3(contour[i - 1]) - origin, glm::dvec3(contour[i]) - origin);
+    }
+    return sum;
+}
+
+std::vector<glm::vec3> outline(const EllipseLight& light, int sides) {
+    // n/2 R^2 sin(2 pi/n) = pi, the area of the unit disk.
+    const double step = 2.0 * std::numbers::pi / sides;
+    const double radius = std::sqrt(2.0 * std::numbers::pi / (sides * std::sin(step)));
+    std::vector<glm::vec3> contour;
+    for (int i = 0; i < sides; ++i) {
+        const auto x = static_cast<float>(radius * std::cos(step * i));
+        const auto y = static_cast<float>(radius * std::sin(step * i));
+        contour.push_back(light.center + (x * light.halfAxisX + y * light.halfAxisY));
+    }
+    return contour;
+}
+
+}  // namespace polylume
