@@ -15,8 +15,8 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "fit/grid_fit.hpp"
-#include "fit/parallel.hpp"
 #include "fit/score_table.hpp"
+#include "parallel/threads.hpp"
 
 namespace polylume::fit {
 namespace {

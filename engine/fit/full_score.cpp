@@ -9,9 +9,9 @@
 #include <cmath>
 
 #include "fit/lobe_samples.hpp"
-#include "fit/parallel.hpp"
 #include "fit/prepared_model.hpp"
 #include "fit/score_grid.hpp"
+#include "parallel/threads.hpp"
 
 namespace polylume::fit {
 namespace {

@@ -3,24 +3,22 @@
 
 #pragma once
 
-#include <tbb/info.h>
 #include <tbb/task_arena.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <mutex>
 
 #include "core/progress.hpp"
 
-namespace polylume::fit {
+namespace polylume {
+
+/// An arena of at most `threadCount` threads; 0: one per processor, which is the most in any case.
+tbb::task_arena makeArena(int threadCount);
 
 /// What `work` returns, run with at most `threadCount` threads; 0: one per processor.
 template <typename Work>
 auto runOnThreads(int threadCount, const Work& work) {
-    // TBB warns on the terminal about more threads than processors.
-    const int processorCount = tbb::info::default_concurrency();
-    const int wantedCount = threadCount > 0 ? threadCount : processorCount;
-    tbb::task_arena arena(std::min(wantedCount, processorCount));
+    tbb::task_arena arena = makeArena(threadCount);
     return arena.execute(work);
 }
 
@@ -30,11 +28,7 @@ class StepCounter {
     StepCounter(Progress& progress, std::size_t stepCount)
         : progress_(progress), stepCount_(stepCount) {}
 
-    void step() {
-        const std::lock_guard lock(mutex_);
-        ++done_;
-        progress_.update(static_cast<double>(done_) / static_cast<double>(stepCount_));
-    }
+    void step();
 
   private:
     Progress& progress_;
@@ -43,4 +37,4 @@ class StepCounter {
     std::mutex mutex_;
 };
 
-}  // namespace polylume::fit
+}  // namespace polylume
