@@ -8,6 +8,8 @@ function(polylume_configure_target target)
                                                CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow
                                              $<$<BOOL:${POLYLUME_WARNINGS_AS_ERRORS}>:-Werror>)
+    # Nobody reads errno after a square root; without this each one is followed by a call to set it.
+    target_compile_options(${target} PRIVATE -fno-math-errno)
     # GCC 12 takes "literal" + std::string for overlapping memory (GCC bug 105651).
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
         target_compile_options(${target} PRIVATE -Wno-restrict)

@@ -15,6 +15,12 @@ struct HemispherePoint {
     double solidAngle;     ///< Its weight in steradians.
 };
 
+/// evaluate() and density() for one pair of directions.
+struct Scattering {
+    double value = 0.0;
+    double density = 0.0;
+};
+
 /// What a table stores of a BRDF besides the shape of its lobe.
 struct Reflectance {
     double albedo = 0.0;   ///< Integral of f cos over the upper hemisphere with Fresnel = 1.
@@ -59,6 +65,12 @@ class Brdf {
     /// The density of sample() per steradian. Its integral over the whole sphere is 1.
     virtual double density(const glm::dvec3& view, const glm::dvec3& light,
                            double roughness) const = 0;
+
+    /// evaluate() and density() together, which may cost less than both.
+    virtual Scattering scatter(const glm::dvec3& view, const glm::dvec3& light,
+                               double roughness) const {
+        return {evaluate(view, light, roughness), density(view, light, roughness)};
+    }
 
     /// A rule of about `resolution` x `resolution` points that covers the upper hemisphere, densely
     /// where the lobe is high, and is symmetric in y for the view direction in the xz plane (z >

@@ -46,23 +46,17 @@ double Ggx::evaluate(const glm::dvec3& view, const glm::dvec3& light, double rou
 
 glm::dvec3 Ggx::sample(const glm::dvec3& view, double roughness, const glm::dvec2& random) const {
     const double alpha = ggxAlpha(roughness);
-    // Heitz 2018: a point of the hemisphere's outline as seen from the stretched view direction.
-    const glm::dvec3 stretchedView =
-        glm::normalize(glm::dvec3(alpha * view.x, alpha * view.y, view.z));
-    const double planar = std::hypot(stretchedView.x, stretchedView.y);
-    const glm::dvec3 tangent = planar > 0.0
-                                   ? glm::dvec3(-stretchedView.y, stretchedView.x, 0.0) / planar
-                                   : glm::dvec3(0.0, 1.0, 0.0);
-    const glm::dvec3 bitangent = glm::cross(stretchedView, tangent);
-    const double radius = std::sqrt(random.x);
+    // Dupuy and Benyoub 2023: half of what leaves a mirroring hemisphere toward the stretched view
+    // is a cap of the sphere, sampled evenly.
+    const glm::dvec3 stretched(alpha * view.x, alpha * view.y, view.z);
+    const glm::dvec3 stretchedView = stretched / std::sqrt(glm::dot(stretched, stretched));
+    const double height = (1.0 - random.x) * (1.0 + stretchedView.z) - stretchedView.z;
+    const double radius = std::sqrt(std::clamp(1.0 - height * height, 0.0, 1.0));
     const double azimuth = 2.0 * kPi * random.y;
-    const double x = radius * std::cos(azimuth);
-    const double blend = 0.5 * (1.0 + stretchedView.z);
-    const double y = (1.0 - blend) * std::sqrt(1.0 - x * x) + blend * radius * std::sin(azimuth);
-    const double z = std::sqrt(std::max(0.0, 1.0 - x * x - y * y));
-    const glm::dvec3 normal = x * tangent + y * bitangent + z * stretchedView;
-    const glm::dvec3 half =
-        glm::normalize(glm::dvec3(alpha * normal.x, alpha * normal.y, std::max(0.0, normal.z)));
+    const glm::dvec3 normal =
+        glm::dvec3(radius * std::cos(azimuth), radius * std::sin(azimuth), height) + stretchedView;
+    const glm::dvec3 unstretched(alpha * normal.x, alpha * normal.y, normal.z);
+    const glm::dvec3 half = unstretched / std::sqrt(glm::dot(unstretched, unstretched));
     return 2.0 * glm::dot(view, half) * half - view;
 }
 
@@ -74,6 +68,18 @@ double Ggx::density(const glm::dvec3& view, const glm::dvec3& light, double roug
     // Visible normals D_v(h) = G1 (v.h) D / v.z, over the 4 (v.h) of the reflection.
     const double masking = 1.0 / (1.0 + ggxLambda(view, alpha));
     return masking * ggxDistribution(glm::normalize(sum), alpha) / (4.0 * view.z);
+}
+
+Scattering Ggx::scatter(const glm::dvec3& view, const glm::dvec3& light, double roughness) const {
+    const glm::dvec3 sum = view + light;
+    if (view.z <= 0.0 || sum.z <= 0.0) return {};
+    const double alpha = ggxAlpha(roughness);
+    // What evaluate() and density() have in common.
+    const double reflection =
+        ggxDistribution(sum / std::sqrt(glm::dot(sum, sum)), alpha) / (4.0 * view.z);
+    const double masked = 1.0 + ggxLambda(view, alpha);
+    const double value = light.z > 0.0 ? reflection / (masked + ggxLambda(light, alpha)) : 0.0;
+    return {value, reflection / masked};
 }
 
 std::vector<HemispherePoint> Ggx::quadrature(const glm::dvec3& view, double roughness,

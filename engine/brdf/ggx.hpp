@@ -8,7 +8,8 @@
 namespace polylume::brdf {
 
 /// Isotropic GGX (Walter et al. 2007) with height-correlated Smith masking and shadowing (Heitz
-/// 2014), sampled by visible normals (Heitz 2018). alpha = r^2, at least kAlphaFloor, which is
+/// 2014), sampled by visible normals (Heitz 2018, by the caps of
+/// Dupuy and Benyoub 2023). alpha = r^2, at least kAlphaFloor, which is
 /// below the second column of a 64x64 table and keeps its matrices well within the range of
 /// float32.
 class Ggx : public Brdf {
@@ -24,6 +25,8 @@ class Ggx : public Brdf {
                       const glm::dvec2& random) const override;
     double density(const glm::dvec3& view, const glm::dvec3& light,
                    double roughness) const override;
+    Scattering scatter(const glm::dvec3& view, const glm::dvec3& light,
+                       double roughness) const override;
     /// Covers the upper hemisphere exactly, with no point below it.
     std::vector<HemispherePoint> quadrature(const glm::dvec3& view, double roughness,
                                             int resolution) const override;

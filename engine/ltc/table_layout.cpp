@@ -25,6 +25,10 @@ const std::string& attributeOf(const std::map<std::string, std::string>& attribu
 
 }  // namespace
 
+glm::dvec3 reflectance(const TableEntry& entry, const glm::dvec3& f0, const glm::dvec3& f90) {
+    return f0 * (entry.albedo - entry.fresnel) + f90 * entry.fresnel;
+}
+
 TableLayout TableLayout::of(const std::map<std::string, std::string>& attributes) {
     TableLayout layout;
     // What the words of the other attributes have to be follows from these.

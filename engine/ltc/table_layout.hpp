@@ -31,6 +31,10 @@ struct TableEntry {
     glm::dvec3 color{1.0};  ///< The albedo of red, green and blue, for a table of a coloured BRDF.
 };
 
+/// How much is reflected with Schlick's Fresnel (1994) between `f0` at normal and `f90` at grazing
+/// incidence.
+glm::dvec3 reflectance(const TableEntry& entry, const glm::dvec3& f0, const glm::dvec3& f90);
+
 /// The values of one node in the order of storage: of each lobe four, its LobeCode or, in the
 /// classic layout, m11, m13, m31, m33.
 struct TableNode {

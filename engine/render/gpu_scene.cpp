@@ -3,10 +3,9 @@
 
 #include "render/gpu_scene.hpp"
 
-#include <algorithm>
-
 #include "render/material_variant.hpp"
 #include "render/texture_upload.hpp"
+#include "view/instance_transform.hpp"
 
 namespace polylume {
 namespace {
@@ -21,10 +20,7 @@ shared::MaterialData packMaterial(const scene::Material& material) {
     data.roughnessFactor = material.roughnessFactor;
     data.normalScale = material.normalScale;
     data.occlusionStrength = material.occlusionStrength;
-    // Fresnel at normal incidence against air; an index of 0 asks for a surface that reflects all
-    // (KHR_materials_ior).
-    const float root = (material.ior - 1.0f) / (material.ior + 1.0f);
-    data.dielectricF0 = root * root;
+    data.dielectricF0 = dielectricF0(material.ior);
     data.alphaCutoff = material.alphaCutoff;
     data.unlit = material.unlit ? 1.0f : 0.0f;
     const auto slots = textureSlots(material);
@@ -33,27 +29,6 @@ shared::MaterialData packMaterial(const scene::Material& material) {
         data.uvRows[2 * i] = glm::vec4(rows[0], static_cast<float>(slots[i]->texCoordSet));
         data.uvRows[2 * i + 1] = glm::vec4(rows[1], 0.0f);
     }
-    return data;
-}
-
-shared::InstanceData packInstance(const scene::Instance& instance) {
-    const glm::dmat3 linear(instance.worldFromObject);
-    const double determinant = glm::determinant(linear);
-    const double sign = determinant < 0.0 ? -1.0 : 1.0;
-    // The matrix of cofactors is the inverse transpose times the determinant, and exists for a
-    // flattening scale, too.
-    glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
-                         glm::cross(linear[0], linear[1]));
-    // Only directions count, and products of very small or large scales leave single precision.
-    const double largest =
-        std::max({glm::length(cofactors[0]), glm::length(cofactors[1]), glm::length(cofactors[2])});
-    if (largest > 0.0) cofactors /= largest;
-    shared::InstanceData data{};
-    data.worldFromObject = instance.worldFromObject;
-    data.normalFromObject = glm::mat4(glm::mat3(sign * cofactors));
-    const double scale =
-        std::max({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])});
-    data.mirror = glm::vec4(sign, scale > 0.0 ? 1.0 / scale : 1.0, 0.0, 0.0);
     return data;
 }
 
@@ -149,7 +124,7 @@ void GpuScene::uploadMaterials() {
 void GpuScene::uploadInstances() {
     std::vector<shared::InstanceData> blocks;
     for (const scene::Instance& instance : scene_.instances) {
-        blocks.push_back(packInstance(instance));
+        blocks.push_back(makeInstanceData(instance));
         mirrored_.push_back(blocks.back().mirror.x < 0.0f);
     }
     instances_ = BlockArray(gl_, blocks, "instances");

@@ -5,7 +5,6 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "image/display_transform.hpp"
 #include "render/frame_renderer.hpp"
 #include "render/gbuffer_readback.hpp"
 #include "view/pixel_samples.hpp"
@@ -25,14 +24,6 @@ void checkOptions(const gl::Functions& gl, const RenderOptions& options) {
     if (options.sampleCount < 1) {
         throw Error(concat("expected 1 sample or more, found ", options.sampleCount));
     }
-}
-
-double measureLuminance(const FloatImage& image, const GBuffer& gbuffer) {
-    const std::vector<bool> lit = findLitPixels(gbuffer);
-    const double ofLitPixels = logMeanLuminance(image, lit);
-    if (ofLitPixels > 0.0) return ofLitPixels;
-    // Nothing but unlit, emitting or transparent surfaces: all that can be seen, then.
-    return logMeanLuminance(image, std::vector<bool>(lit.size(), true));
 }
 
 }  // namespace
@@ -56,7 +47,8 @@ RenderedImage renderScene(Context& context, const gl::ShaderLibrary& library,
 
     RenderedImage rendered;
     rendered.image = renderer.readMean(options.sampleCount);
-    rendered.logMeanLuminance = measureLuminance(rendered.image, renderer.gbuffer());
+    rendered.logMeanLuminance =
+        litLogMeanLuminance(rendered.image, findLitPixels(renderer.gbuffer()));
     if (!options.aovs.empty()) {
         // Averaged over a silhouette a normal or a depth is that of no surface.
         renderer.drawGBuffer({0.5, 0.5});

@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "image/display_transform.hpp"
 
 namespace polylume {
 namespace {
@@ -46,6 +47,23 @@ const Aov& findAov(std::string_view name) {
 }
 
 }  // namespace
+
+std::vector<bool> litPixels(const std::vector<SurfacePixel>& pixels) {
+    std::vector<bool> lit;
+    lit.reserve(pixels.size());
+    for (const SurfacePixel& p : pixels) {
+        const glm::vec3 sum = p.diffuseAlbedo + p.f0 + p.sheenColor;
+        lit.push_back(sum.r + sum.g + sum.b > 0.0f);
+    }
+    return lit;
+}
+
+double litLogMeanLuminance(const FloatImage& image, const std::vector<bool>& lit) {
+    const double ofLitPixels = logMeanLuminance(image, lit);
+    if (ofLitPixels > 0.0) return ofLitPixels;
+    // Nothing but unlit, emitting or transparent surfaces: all that can be seen, then.
+    return logMeanLuminance(image, std::vector<bool>(lit.size(), true));
+}
 
 std::vector<std::string_view> aovNames() {
     std::vector<std::string_view> names;

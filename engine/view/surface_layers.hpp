@@ -29,6 +29,13 @@ struct SurfacePixel {
     float distance = 0.0f;  ///< Along the camera's axis, metres.
 };
 
+/// For every pixel whether it shows a surface that reflects anything.
+std::vector<bool> litPixels(const std::vector<SurfacePixel>& pixels);
+
+/// The log-mean luminance that exposure goes by: of the `lit` pixels, or where these are black, of
+/// all.
+double litLogMeanLuminance(const FloatImage& image, const std::vector<bool>& lit);
+
 /// The names of the layers that appendAovs() knows.
 std::vector<std::string_view> aovNames();
 

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Polylume authors
+// SPDX-License-Identifier: MIT
+
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <vector>
+
+#include "lights/light.hpp"
+#include "reference/planar_outline.hpp"
+
+namespace polylume::reference {
+
+/// A flat light, prepared for being hit by rays and sampled. Points of its plane are
+/// origin + x axisX + y axisY.
+struct AreaEmitter {
+    enum class Shape { rectangle, polygon, ellipse };
+
+    Shape shape = Shape::polygon;
+    glm::dvec3 origin{0.0};
+    /// Of a rectangle its edges, of an ellipse its half axes, else unit; at right angles.
+    glm::dvec3 axisX{1.0, 0.0, 0.0}, axisY{0.0, 1.0, 0.0};
+    glm::dvec3 normal{0.0, 0.0, 1.0};  ///< Unit, to the emitting side.
+    double area = 0.0;
+    glm::dvec3 radiance{0.0};  ///< Nits.
+    bool twoSided = false;
+    std::vector<PlanarContour> contours;  ///< Of a polygon.
+    /// Convex, counter-clockwise; cover the shape without overlap, of an ellipse a little more.
+    std::vector<PlanarContour> parts;
+
+    /// Whether `offset` from the light to a point is on a side that it emits to.
+    bool emitsToward(const glm::dvec3& offset) const {
+        const double height = glm::dot(offset, normal);
+        return twoSided ? height != 0.0 : height > 0.0;
+    }
+
+    /// Whether the light has the point of its plane.
+    bool contains(const glm::dvec2& planar) const;
+
+    /// The distance in units of `direction` at which a ray meets the light, from either side.
+    std::optional<double> intersect(const glm::dvec3& rayOrigin, const glm::dvec3& direction) const;
+};
+
+/// All area lights of `lights` that have an area.
+std::vector<AreaEmitter> areaEmitters(const LightSet& lights);
+
+}  // namespace polylume::reference

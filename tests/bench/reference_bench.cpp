@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Polylume authors
+// SPDX-License-Identifier: MIT
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "reference/reference_tracer.hpp"
+#include "support/test_scenes.hpp"
+
+// Noise against time of the ray tracer on a metal floor under one hidden rectangle: the error
+// against a run of 100 times the paths, in percent of the mean over the floor's pixels, and the
+// seconds of sampling, for light sampling by solid angle and by area. An argument is the number of
+// paths a pixel to do alone.
+namespace {
+
+using namespace polylume;
+using reference::LightSampling;
+using reference::ReferenceOptions;
+using reference::ReferenceTracer;
+
+scene::Scene makeFloorScene() {
+    scene::Scene scene = test::makeScene(test::makeFloor(10.0f), 0.25f, 1.0f, glm::vec3(1.0f));
+    scene::AreaLight light;
+    light.center = {0, 2, -6};
+    light.size = {8, 3};
+    // Toward +Z: a half turn about Y.
+    light.worldFromLight = glm::mat3(glm::vec3(-1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, -1));
+    scene.areaLights.push_back(light);
+    return scene;
+}
+
+struct Measured {
+    FloatImage image;
+    double seconds = 0.0;
+    double estimatedError = 0.0;
+};
+
+Measured measure(const scene::Scene& scene, const scene::Camera& camera,
+                 const ReferenceOptions& options) {
+    ReferenceTracer tracer(scene, camera, options);
+    Progress progress;
+    const auto start = std::chrono::steady_clock::now();
+    tracer.run(progress);
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+    return {tracer.picture().image, time.count(), tracer.relativeError()};
+}
+
+/// Root mean square difference over the mean, of the pixels that show the floor.
+double relativeError(const FloatImage& image, const FloatImage& truth) {
+    double square = 0.0, sum = 0.0;
+    const std::size_t stride = truth.channelCount();
+    for (std::size_t i = 0; i < truth.pixels.size(); i += stride) {
+        if (truth.pixels[i + 3] < 1.0f) continue;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double difference = image.pixels[i + c] - truth.pixels[i + c];
+            square += difference * difference;
+            sum += truth.pixels[i + c];
+        }
+    }
+    double count = 0.0;
+    for (std::size_t i = 3; i < truth.pixels.size(); i += stride) {
+        if (truth.pixels[i] >= 1.0f) count += 3.0;
+    }
+    return std::sqrt(square / count) / (sum / count);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const scene::Scene scene = makeFloorScene();
+    const scene::Camera camera =
+        test::makeCamera({0.4f, 3, 10}, {0.04f, 0.27f, 0}, glm::radians(36.0f));
+    ReferenceOptions options;
+    options.size = {480, 270};
+    options.sampleCount = 1;
+    options.hideLights = true;
+    options.background.reset();
+    options.shadows = false;
+    std::vector<int> counts = {16, 32, 48, 64, 128};
+    if (argc > 1) counts = {std::atoi(argv[1])};
+    for (const LightSampling sampling : {LightSampling::solidAngle, LightSampling::area}) {
+        options.lightSampling = sampling;
+        for (const int count : counts) {
+            options.seed = 1;
+            options.pathCount = count;
+            const Measured run = measure(scene, camera, options);
+            options.seed = 2;
+            options.pathCount = 100 * count;
+            const Measured truth = measure(scene, camera, options);
+            std::printf("%-11s %4d paths: %6.3f s, error %.3f %% (estimated %.3f %%)\n",
+                        sampling == LightSampling::area ? "area" : "solid angle", count,
+                        run.seconds, 100.0 * relativeError(run.image, truth.image),
+                        100.0 * run.estimatedError);
+            std::fflush(stdout);
+        }
+    }
+    return 0;
+}
