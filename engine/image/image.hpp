@@ -33,6 +33,7 @@ struct FloatImage {
         channelNames;           ///< One per channel, in the order of storage: "R", "normal.X"
     std::vector<float> pixels;  ///< width * height * channelNames.size()
     PixelValues values = PixelValues::linear;
+    bool hasMoreParts = false;  ///< The file it was read from holds further parts, pages or frames.
     ImageMetadata metadata;
 
     std::size_t channelCount() const { return channelNames.size(); }

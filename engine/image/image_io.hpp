@@ -35,9 +35,9 @@ FloatImage readImage(const std::filesystem::path& path);
 enum class ExrPrecision { half, single };
 
 /// Writes an OpenEXR of named channels and metadata, ZIP-compressed, by way of a temporary file.
-/// The same image gives the same bytes: the date is left empty. The channel's part before the last
-/// "." is its layer ("normal.X"); the file holds the channels in the order of their names, as
-/// OpenEXR asks.
+/// The same image gives the same bytes: the date is left empty. Its values are taken for linear,
+/// whatever `values` says. The channel's part before the last "." is its layer ("normal.X"); the
+/// file holds the channels in the order of their names, as OpenEXR asks.
 void writeExr(const std::filesystem::path& path, const FloatImage& image, ExrPrecision precision);
 
 /// Writes an 8-bit PNG of 3 or 4 channels, already sRGB-encoded and with alpha not multiplied in,

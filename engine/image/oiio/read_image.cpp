@@ -56,6 +56,7 @@ FloatImage read(const std::filesystem::path& path) {
     if (!file->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.pixels.data())) {
         fail();
     }
+    image.hasMoreParts = file->seek_subimage(1, 0);
     file->close();
     takeMessage(file.get());
     return image;
