@@ -7,9 +7,12 @@
 #include <exception>
 #include <functional>
 
+#include "cli/compare_options.hpp"
+#include "cli/figures_options.hpp"
 #include "cli/fit_options.hpp"
 #include "cli/info_command.hpp"
-#include "cli/options.hpp"
+#include "cli/reference_options.hpp"
+#include "cli/render_options.hpp"
 #include "cli/table_options.hpp"
 #include "cli/terminal.hpp"
 #include "cli/version.hpp"
@@ -33,10 +36,16 @@ int runMain(int argc, char** argv) {
     app.footer("Exit codes: 0 done, 1 failed, 2 bad usage.");
 
     RenderCommand render;
+    ReferenceCommand reference;
+    CompareCommand compare;
+    FiguresCommand figures;
     FitCommand fit;
     const CLI::App* renderApp = addRenderCommand(app, render);
+    const CLI::App* referenceApp = addReferenceCommand(app, reference);
     const CLI::App* infoApp =
         app.add_subcommand("info", "List the OpenGL contexts that can be had here");
+    const CLI::App* compareApp = addCompareCommand(app, compare);
+    const CLI::App* figuresApp = addFiguresCommand(app, figures);
     const CLI::App* fitApp = addFitCommand(app, fit);
     std::function<void()> tableWork;
     addTableCommand(app, tableWork);
@@ -51,6 +60,9 @@ int runMain(int argc, char** argv) {
     logToStandardError(verbose ? LogLevel::debug : quiet ? LogLevel::warning : LogLevel::info);
     try {
         if (renderApp->parsed()) run(render);
+        if (referenceApp->parsed()) run(reference);
+        if (compareApp->parsed() && !run(compare)) return kFailed;
+        if (figuresApp->parsed()) run(figures);
         if (fitApp->parsed()) run(fit);
         if (infoApp->parsed()) runInfo();
         if (tableWork) tableWork();

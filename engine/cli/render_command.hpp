@@ -5,23 +5,17 @@
 
 #include <filesystem>
 #include <optional>
-#include <string>
 
+#include "cli/picture.hpp"
 #include "context/context.hpp"
-#include "image/display_transform.hpp"
 #include "render/renderer.hpp"
 
 namespace polylume::cli {
 
 struct RenderCommand {
-    std::filesystem::path scene;
-    std::filesystem::path output;  ///< .exr or .png
+    PictureRequest request;
     Backend backend = Backend::automatic;
-    std::string camera;              ///< Name or index; empty: the first.
-    std::optional<double> exposure;  ///< EV; none: automatic.
-    ToneMap toneMap = ToneMap::aces;
-    std::filesystem::path table;   ///< Specular table; empty: the built-in one.
-    std::filesystem::path lights;  ///< Empty: the scene's own.
+    std::filesystem::path table;  ///< Specular table; empty: the built-in one.
     std::optional<std::filesystem::path> glslDir;
     RenderOptions options;
 };

@@ -7,6 +7,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/log.hpp"
@@ -26,6 +27,16 @@ void Canvas::set(int x, int y, const Color& color) {
     const std::size_t offset = (static_cast<std::size_t>(y) * image_.width + x) * 3;
     std::copy(color.begin(), color.end(),
               image_.pixels.begin() + static_cast<std::ptrdiff_t>(offset));
+}
+
+void Canvas::blend(int x, int y, const Color& color, double share) {
+    const std::size_t offset = (static_cast<std::size_t>(y) * image_.width + x) * 3;
+    Color mixed{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double old = image_.pixels[offset + i];
+        mixed[i] = static_cast<std::uint8_t>(std::lround(old + share * (color[i] - old)));
+    }
+    set(x, y, mixed);
 }
 
 void Canvas::fill(const Area& area, const Color& color) {
@@ -49,8 +60,27 @@ void Canvas::paint(const Area& area, const std::function<Color(double, double)>&
     });
 }
 
-void Canvas::addText(int x, int y, std::string text, TextAlign align, int size) {
-    labels_.push_back({std::move(text), x, y, size, align, kInk});
+void Canvas::drawLine(const glm::dvec2& from, const glm::dvec2& to, double width,
+                      const Color& color) {
+    const double reach = 0.5 * width + 1.0;
+    const glm::dvec2 along = to - from;
+    const double square = std::max(glm::dot(along, along), 1e-12);
+    const glm::ivec2 first = glm::max(glm::ivec2(glm::min(from, to) - reach), glm::ivec2(0));
+    const glm::ivec2 last = glm::min(glm::ivec2(glm::max(from, to) + reach),
+                                     glm::ivec2(image_.width, image_.height) - 1);
+    for (int y = first.y; y <= last.y; ++y) {
+        for (int x = first.x; x <= last.x; ++x) {
+            const glm::dvec2 middle(x + 0.5, y + 0.5);
+            const double share = std::clamp(glm::dot(middle - from, along) / square, 0.0, 1.0);
+            const double distance = glm::length(middle - from - share * along);
+            blend(x, y, color, std::clamp(0.5 * width + 0.5 - distance, 0.0, 1.0));
+        }
+    }
+}
+
+void Canvas::addText(int x, int y, std::string text, TextAlign align, int size,
+                     const Color& color) {
+    labels_.push_back({std::move(text), x, y, size, align, color});
 }
 
 PixelImage Canvas::finish() {

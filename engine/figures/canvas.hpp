@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <glm/glm.hpp>
 #include <string>
 #include <vector>
 
@@ -35,14 +36,23 @@ class Canvas {
     /// Colours every pixel of `area` by `colorAt`(x, y), the place of its middle as a share of the
     /// area, from the left and from the top; called from several threads at once.
     void paint(const Area& area, const std::function<Color(double, double)>& colorAt);
-    void addText(int x, int y, std::string text, TextAlign align, int size = 16);
+    /// A straight line with smooth edges. Places and width are in pixels; (0, 0) is the outer
+    /// corner of the first pixel.
+    void drawLine(const glm::dvec2& from, const glm::dvec2& to, double width, const Color& color);
+    void addText(int x, int y, std::string text, TextAlign align, int size = 16,
+                 const Color& color = kInk);
 
     /// The picture, with its texts; without them, and with a warning in the log, where there is no
     /// font.
     PixelImage finish();
 
+    int width() const { return image_.width; }
+    int height() const { return image_.height; }
+
   private:
     void set(int x, int y, const Color& color);
+    /// Mixes `share` of `color` to a pixel of the picture.
+    void blend(int x, int y, const Color& color, double share);
 
     PixelImage image_;
     std::vector<TextLabel> labels_;

@@ -88,8 +88,34 @@ bool readSome(int file, std::string& text) {
     return true;
 }
 
+/// Sends the command the signal that the surroundings ask for, once, when its time has come.
+class Stopper {
+  public:
+    Stopper(pid_t command, const Surroundings& surroundings)
+        : command_(command), surroundings_(surroundings) {}
+
+    void hear(const std::string& error) {
+        if (surroundings_.stopText.empty() || isDone_) return;
+        if (!due_ && error.find(surroundings_.stopText) != std::string::npos) {
+            due_ = Clock::now() + std::chrono::duration<double>(surroundings_.stopDelaySeconds);
+        }
+        if (!due_ || Clock::now() < *due_) return;
+        ::kill(command_, surroundings_.stopSignal);
+        isDone_ = true;
+    }
+
+  private:
+    using Time = std::chrono::time_point<Clock, std::chrono::duration<double>>;
+
+    pid_t command_;
+    const Surroundings& surroundings_;
+    std::optional<Time> due_;
+    bool isDone_ = false;
+};
+
 /// Reads both channels to their ends; false where the command has to be killed.
-bool readAll(int output, int error, const Surroundings& surroundings, Outcome& outcome) {
+bool readAll(int output, int error, const Surroundings& surroundings, Stopper stopper,
+             Outcome& outcome) {
     const auto end = Clock::now() + std::chrono::duration<double>(surroundings.timeLimitSeconds);
     std::array<pollfd, 2> files = {pollfd{output, POLLIN, 0}, pollfd{error, POLLIN, 0}};
     while (files[0].fd >= 0 || files[1].fd >= 0) {
@@ -99,8 +125,7 @@ bool readAll(int output, int error, const Surroundings& surroundings, Outcome& o
             if (files[i].fd < 0 || files[i].revents == 0) continue;
             if (!readSome(files[i].fd, i == 0 ? outcome.output : outcome.error)) files[i].fd = -1;
         }
-        const std::string& stop = surroundings.stopText;
-        if (!stop.empty() && outcome.error.find(stop) != std::string::npos) return false;
+        stopper.hear(outcome.error);
     }
     return true;
 }
@@ -125,7 +150,9 @@ Outcome runCommand(const std::vector<std::string>& arguments, const Surroundings
     ::close(output.writer);
     ::close(error.writer);
     Outcome outcome;
-    if (!readAll(output.reader, error.reader, surroundings, outcome)) ::kill(child, SIGKILL);
+    if (!readAll(output.reader, error.reader, surroundings, {child, surroundings}, outcome)) {
+        ::kill(child, SIGKILL);
+    }
     int status = 0;
     ::waitpid(child, &status, 0);
     ::close(output.reader);

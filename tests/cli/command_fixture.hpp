@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include <csignal>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -20,12 +21,14 @@ struct Surroundings {
     bool terminal = false;  ///< Standard error is a terminal.
     std::optional<unsigned long> sizeLimit{};  ///< Largest file it can write, in bytes.
     double timeLimitSeconds = 60.0;            ///< It is killed after this time.
-    std::string stopText{};                    ///< It is killed once standard error holds this.
+    std::string stopText{};                    ///< It is stopped once standard error holds this,
+    double stopDelaySeconds = 0.0;             ///< after this time more,
+    int stopSignal = SIGKILL;                  ///< by this signal.
 };
 
 /// What came of a run.
 struct Outcome {
-    int exitCode = -1;  ///< -1 where it was killed.
+    int exitCode = -1;  ///< -1 where a signal ended it.
     std::string output;
     std::string error;
 };

@@ -23,8 +23,17 @@ class UsageTest : public test::CommandTest {
         return outcome.error;
     }
     std::string rejectRender(const std::string& output, const std::vector<std::string>& more) {
+        return rejectPicture("render", output, more);
+    }
+    std::string rejectReference(const std::string& output, const std::vector<std::string>& more) {
+        return rejectPicture("reference", output, more);
+    }
+
+  private:
+    std::string rejectPicture(const std::string& command, const std::string& output,
+                              const std::vector<std::string>& more) {
         std::vector<std::string> arguments = {
-            "render", test::sourcePath("samples/scenes/cornell.glb"), "-o", path(output)};
+            command, test::sourcePath("samples/scenes/cornell.glb"), "-o", path(output)};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return reject(arguments);
     }
@@ -35,8 +44,9 @@ TEST_F(UsageTest, helpListsTheCommands) {
     EXPECT_EQ(outcome.exitCode, 0);
     EXPECT_THAT(outcome.error, IsEmpty());
     EXPECT_THAT(outcome.output,
-                AllOf(HasSubstr("render"), HasSubstr("info"), HasSubstr("fit"), HasSubstr("table"),
-                      HasSubstr("--verbose"), HasSubstr("--quiet"), HasSubstr("Exit codes")));
+                AllOf(HasSubstr("render"), HasSubstr("reference"), HasSubstr("info"),
+                      HasSubstr("fit"), HasSubstr("table"), HasSubstr("--verbose"),
+                      HasSubstr("--quiet"), HasSubstr("Exit codes")));
 }
 
 TEST_F(UsageTest, helpOfEachCommandShowsExamples) {
@@ -47,6 +57,16 @@ TEST_F(UsageTest, helpOfEachCommandShowsExamples) {
                              "--exposure", "--tonemap", "--lobes", "--table", "--lights", "--aov",
                              "--background", "--two-sided", "--hide-lights", "--glsl-dir"}) {
         EXPECT_THAT(render.output, HasSubstr(flag));
+    }
+    const Outcome reference = runCommand({"reference", "--help"});
+    EXPECT_EQ(reference.exitCode, 0);
+    EXPECT_THAT(reference.output, AllOf(HasSubstr("Examples:"), HasSubstr("polylume reference "),
+                                        HasSubstr("standardError"), HasSubstr("partial")));
+    for (const char* flag :
+         {"--output", "--size", "--camera", "--samples", "--exposure", "--tonemap", "--lobes",
+          "--lights", "--aov", "--background", "--spp", "--target-error", "--threads", "--seed",
+          "--shadows", "--depth", "--resume"}) {
+        EXPECT_THAT(reference.output, HasSubstr(flag));
     }
     const Outcome fit = runCommand({"fit", "--help"});
     EXPECT_EQ(fit.exitCode, 0);
@@ -126,6 +146,36 @@ TEST_F(UsageTest, numbersAreChecked) {
         EXPECT_THAT(rejectRender("a.exr", {std::string("--background=") + color}),
                     AllOf(HasSubstr("--background"), HasSubstr("none"), HasSubstr(color)))
             << color;
+    }
+}
+
+TEST_F(UsageTest, flagsOfTheReferenceAreChecked) {
+    const std::pair<const char*, std::vector<const char*>> cases[] = {
+        {"--spp", {"0", "-1", "many", "1.5", "99999999999"}},
+        {"--target-error", {"0", "1", "-0.1", "nan", "1%"}},
+        {"--threads", {"-1", "many"}},
+        {"--seed", {"-1", "4294967296", "1.5", "x"}},
+        {"--shadows", {"maybe", "1"}},
+        {"--depth", {"0", "-1", "65", "deep"}}};
+    for (const auto& [flag, values] : cases) {
+        for (const char* value : values) {
+            const std::string argument = std::string(flag) + "=" + value;
+            EXPECT_THAT(rejectReference("a.exr", {argument}),
+                        AllOf(HasSubstr(flag), HasSubstr(value)))
+                << argument;
+        }
+    }
+    EXPECT_THAT(rejectReference("a.exr", {"--shadows", "off", "--depth", "2"}),
+                AllOf(HasSubstr("--depth"), HasSubstr("--shadows off"), HasSubstr("\"2\"")));
+    EXPECT_THAT(rejectReference("a.jpg", {}), AllOf(HasSubstr(".exr"), HasSubstr("a.jpg")));
+    EXPECT_THAT(rejectReference("a.png", {"--aov", "normal"}), HasSubstr("--aov"));
+    EXPECT_THAT(reject({"reference", "-o", path("a.exr")}), HasSubstr("scene"));
+}
+
+TEST_F(UsageTest, theReferenceHasNoFlagsOfOpenGlAndTables) {
+    for (const char* flag :
+         {"--backend=egl", "--table=ggx.exr", "--quality=high", "--glsl-dir=."}) {
+        EXPECT_THAT(rejectReference("a.exr", {flag}), HasSubstr(flag));
     }
 }
 

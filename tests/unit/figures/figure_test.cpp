@@ -34,6 +34,17 @@ TEST(Canvas, fillsFramesAndPaintsWithinItsBounds) {
     EXPECT_EQ(colorAt(image, 16, 0), (Color{3, 0, 0}));
 }
 
+TEST(Canvas, drawsLinesOfTheirWidthWithinItsBounds) {
+    Canvas canvas(20, 10);
+    canvas.drawLine({-5.0, 5.0}, {40.0, 5.0}, 2.0, {0, 0, 0});
+    canvas.drawLine({30.0, 30.0}, {50.0, 40.0}, 2.0, {0, 0, 0});
+    const PixelImage image = canvas.finish();
+    EXPECT_EQ(colorAt(image, 10, 4), (Color{0, 0, 0}));
+    EXPECT_EQ(colorAt(image, 10, 5), (Color{0, 0, 0}));
+    EXPECT_EQ(colorAt(image, 10, 2), kWhite);
+    EXPECT_EQ(colorAt(image, 10, 7), kWhite);
+}
+
 TEST(ErrorFigure, colorsAreThoseOfTheError) {
     const ltc::Table& table = ltc::builtinTable(ltc::BuiltinTable::ggx);
     const PixelImage image = drawErrorFigure(brdf::Ggx(), table, "ggx");
