@@ -15,7 +15,7 @@ namespace polylume::reference {
 namespace {
 
 constexpr std::size_t kValueCount = sizeof(PixelState) / sizeof(float);
-static_assert(kValueCount == 5 + 3 * ReferenceTracer::kReplicateCount);
+static_assert(kValueCount == 6 + 3 * ReferenceTracer::kReplicateCount);
 static_assert(std::is_trivially_copyable_v<PixelState>);
 
 constexpr const char* kPrefix = "polylume:state.";
@@ -30,6 +30,7 @@ std::vector<std::string> channelNames() {
         }
     }
     names.emplace_back("state.paths.Y");
+    names.emplace_back("state.wanted.Y");
     return names;
 }
 
@@ -234,7 +235,7 @@ std::map<std::string, std::string> stateAttributes(const scene::Scene& scene,
     const auto flag = [](bool value) { return value ? "on" : "off"; };
     const auto& background = options.background;
     return {
-        {"version", "1"},
+        {"version", "2"},
         {"scene digest", digestOf(scene)},
         {"camera digest", digestOf(camera)},
         {"lights digest", digestOf(lightsOf(scene, options))},

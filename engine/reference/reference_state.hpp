@@ -18,7 +18,9 @@ struct PixelState {
     glm::vec3 emitted{0.0f};  ///< What is no estimate: emission, background, lights without extent.
     float coverage = 0.0f;
     std::array<glm::vec3, ReferenceTracer::kReplicateCount> replicates{};  ///< Of all paths.
-    float pathCount = 0.0f;  ///< Of each replicate at each position; a whole number.
+    // Whole numbers of each replicate at each position:
+    float pathCount = 0.0f;    ///< done,
+    float wantedCount = 0.0f;  ///< and wanted by the end of the round.
 };
 
 /// Everything that a run has found so far, pixel by pixel from the top.

@@ -16,6 +16,7 @@
 #include "parallel/threads.hpp"
 #include "reference/camera_rays.hpp"
 #include "reference/path_estimator.hpp"
+#include "reference/path_schedule.hpp"
 #include "reference/reference_state.hpp"
 #include "reference/scrambled_points.hpp"
 #include "view/pixel_samples.hpp"
@@ -53,15 +54,6 @@ void checkOptions(const ReferenceOptions& options) {
     }
 }
 
-/// Up to `last`: 1, 2, 3, 4, 6, 8, 12, ...: whole powers of two, where Sobol's points are best, and
-/// one between them.
-int nextPathCount(int count, int last) {
-    int power = 1;
-    while (2 * power <= count) power *= 2;
-    const int step = count == 0 ? 1 : std::max(power / 2, 1);
-    return std::min(count + step, last);
-}
-
 }  // namespace
 
 struct ReferenceTracer::Impl {
@@ -71,28 +63,41 @@ struct ReferenceTracer::Impl {
     PathEstimator estimator;
     std::vector<CameraRays> rays;  ///< One for each position in a pixel.
     ReferenceState state;
-    int lastPathCount;  ///< Of a replicate at a position.
-    int doneCount = 0;  ///< The same, which every pixel has.
+    PathSchedule schedule;
 
     Impl(const scene::Scene& scene_, const scene::Camera& camera_, const ReferenceOptions& options_)
-        : scene(scene_), camera(camera_), options(options_), estimator(scene_, options_) {
+        : scene(scene_),
+          camera(camera_),
+          options(options_),
+          estimator(scene_, options_),
+          schedule(tileCount(), (options_.pathCount + groupSize() - 1) / groupSize()) {
         for (const glm::dvec2& position : pixelSamples(options.sampleCount)) {
             rays.emplace_back(camera, options.size, position);
         }
         state.size = options.size;
         state.pixels.resize(static_cast<std::size_t>(options.size.x) * options.size.y);
-        const int group = kReplicateCount * options.sampleCount;
-        lastPathCount = (options.pathCount + group - 1) / group;
     }
 
-    glm::ivec2 tileCount() const { return (options.size + kTileSize - 1) / kTileSize; }
+    /// Paths of a pixel for one of each replicate at each position.
+    int groupSize() const { return kReplicateCount * options.sampleCount; }
+    glm::ivec2 tileGrid() const { return (options.size + kTileSize - 1) / kTileSize; }
+    int tileCount() const { return tileGrid().x * tileGrid().y; }
 
-    PixelState& pixel(int x, int y) {
-        return state.pixels[static_cast<std::size_t>(y) * options.size.x + x];
+    template <typename Work>
+    void forEachPixel(int tile, const Work& work) const {
+        const glm::ivec2 corner = kTileSize * glm::ivec2(tile % tileGrid().x, tile / tileGrid().x);
+        const glm::ivec2 end = glm::min(corner + kTileSize, options.size);
+        for (int y = corner.y; y < end.y; ++y) {
+            for (int x = corner.x; x < end.x; ++x) work(x, y);
+        }
+    }
+
+    std::size_t pixelIndex(int x, int y) const {
+        return static_cast<std::size_t>(y) * options.size.x + x;
     }
 
     void tracePixel(int x, int y, int pathCount) {
-        PixelState& sums = pixel(x, y);
+        PixelState& sums = state.pixels[pixelIndex(x, y)];
         const auto first = static_cast<std::uint32_t>(sums.pathCount);
         const auto last = static_cast<std::uint32_t>(pathCount);
         if (first >= last) return;
@@ -121,25 +126,19 @@ struct ReferenceTracer::Impl {
         sums.pathCount = static_cast<float>(pathCount);
     }
 
-    void traceTile(int tile, int pathCount) {
-        const glm::ivec2 corner =
-            kTileSize * glm::ivec2(tile % tileCount().x, tile / tileCount().x);
-        const glm::ivec2 end = glm::min(corner + kTileSize, options.size);
-        for (int y = corner.y; y < end.y; ++y) {
-            for (int x = corner.x; x < end.x; ++x) tracePixel(x, y, pathCount);
-        }
-    }
-
-    /// Brings every pixel to `pathCount`; false where it was stopped.
-    bool runRound(int pathCount, const std::function<void()>& tileIsDone,
-                  const std::function<bool()>& stop) {
+    /// Gives every tile what is wanted of it; false where it was stopped.
+    bool runRound(const std::function<void()>& tileIsDone, const std::function<bool()>& stop) {
         std::atomic<bool> stopped = false;
-        tbb::parallel_for(0, tileCount().x * tileCount().y, [&](int tile) {
-            if (stopped || (stop && stop())) {
-                stopped = true;
-                return;
+        tbb::parallel_for(0, tileCount(), [&](int tile) {
+            const int wanted = schedule.wantedCount(tile);
+            if (schedule.doneCount(tile) < wanted) {
+                if (stopped || (stop && stop())) {
+                    stopped = true;
+                    return;
+                }
+                forEachPixel(tile, [&](int x, int y) { tracePixel(x, y, wanted); });
+                schedule.finish(tile);
             }
-            traceTile(tile, pathCount);
             tileIsDone();
         });
         return !stopped;
@@ -172,18 +171,30 @@ struct ReferenceTracer::Impl {
         return sum > 0.0 ? std::sqrt(variance / count) / (sum / count) : 0.0;
     }
 
-    /// No tile is ahead of the others.
-    bool isBetweenRounds() const {
-        return std::ranges::all_of(state.pixels, [this](const PixelState& sums) {
-            return sums.pathCount == static_cast<float>(doneCount);
-        });
+    TileErrors tileErrors() const {
+        TileErrors errors;
+        double sum = 0.0;
+        for (int tile = 0; tile < tileCount(); ++tile) {
+            double& tileVariance = errors.variances.emplace_back(0.0);
+            forEachPixel(tile, [&](int x, int y) {
+                glm::dvec3 mean, variance;
+                estimate(state.pixels[pixelIndex(x, y)], mean, variance);
+                sum += mean.r + mean.g + mean.b;
+                tileVariance += variance.r + variance.g + variance.b;
+            });
+        }
+        const double count = 3.0 * static_cast<double>(state.pixels.size());
+        const double allowed = options.targetError.value_or(0.0) * sum / count;
+        errors.allowedVariance = allowed * allowed * count;
+        return errors;
     }
 
-    bool isDone() const {
-        if (doneCount >= lastPathCount) return true;
-        if (!options.targetError || doneCount == 0) return false;
-        // A round that was stopped is finished first, as in a run that was not.
-        return isBetweenRounds() && relativeError() < *options.targetError;
+    /// Begins the next round, or goes on with one that was stopped; false where all is done.
+    bool beginRound() {
+        if (!schedule.isBetweenRounds()) return true;
+        const bool isFirst = schedule.leastDoneCount() == 0;
+        if (isFirst || !options.targetError) return schedule.growEvenly();
+        return schedule.growWhereNoisy(tileErrors());
     }
 
     /// The surfaces at the pixels' centres; emitters and the background are none.
@@ -192,8 +203,7 @@ struct ReferenceTracer::Impl {
         std::vector<SurfacePixel> surfaces(state.pixels.size());
         tbb::parallel_for(0, options.size.y, [&](int y) {
             for (int x = 0; x < options.size.x; ++x) {
-                surfaces[static_cast<std::size_t>(y) * options.size.x + x] =
-                    estimator.opaqueSurface(centers.ray(x, y));
+                surfaces[pixelIndex(x, y)] = estimator.opaqueSurface(centers.ray(x, y));
             }
         });
         return surfaces;
@@ -211,29 +221,27 @@ ReferenceTracer::~ReferenceTracer() = default;
 bool ReferenceTracer::run(Progress& progress, const std::function<bool()>& stop) {
     Impl& impl = *impl_;
     std::mutex mutex;
-    const int tiles = impl.tileCount().x * impl.tileCount().y;
     double shown = 0.0;
     const auto runRounds = [&] {
-        while (!impl.isDone()) {
-            const int next = nextPathCount(impl.doneCount, impl.lastPathCount);
+        while (impl.beginRound()) {
+            const double before = impl.schedule.meanDoneCount();
+            const double after = impl.schedule.meanWantedCount();
             // How many paths the target takes is guessed from what they have done so far.
-            double expected = impl.lastPathCount;
-            if (impl.options.targetError && impl.doneCount > 0) {
+            double expected = impl.schedule.lastCount();
+            if (impl.options.targetError && before > 0.0) {
                 const double ratio = impl.relativeError() / *impl.options.targetError;
-                expected = std::min(expected, impl.doneCount * std::pow(ratio, 1.5));
+                expected = std::min(expected, before * std::pow(std::max(ratio, 1.0), 1.2));
             }
-            expected = std::max<double>(expected, next);
+            expected = std::max(expected, after);
             int tilesDone = 0;
             const auto tileIsDone = [&] {
                 const std::lock_guard lock(mutex);
                 ++tilesDone;
-                const double round = static_cast<double>(tilesDone) / tiles;
-                const double paths = impl.doneCount + round * (next - impl.doneCount);
-                shown = std::max(shown, std::min(paths / expected, 1.0));
+                const double round = static_cast<double>(tilesDone) / impl.tileCount();
+                shown = std::max(shown, (before + round * (after - before)) / expected);
                 progress.update(shown);
             };
-            if (!impl.runRound(next, tileIsDone, stop)) return false;
-            impl.doneCount = next;
+            if (!impl.runRound(tileIsDone, stop)) return false;
         }
         return true;
     };
@@ -270,15 +278,24 @@ double ReferenceTracer::relativeError() const {
 }
 
 int ReferenceTracer::pathCount() const {
-    return impl_->doneCount * kReplicateCount * impl_->options.sampleCount;
+    const PathSchedule& schedule = impl_->schedule;
+    const double count =
+        impl_->options.targetError ? schedule.meanDoneCount() : schedule.leastDoneCount();
+    return static_cast<int>(std::lround(count * impl_->groupSize()));
 }
 
 int ReferenceTracer::plannedPathCount() const {
-    return impl_->lastPathCount * kReplicateCount * impl_->options.sampleCount;
+    return impl_->schedule.lastCount() * impl_->groupSize();
 }
 
 FloatImage ReferenceTracer::state() const {
-    const Impl& impl = *impl_;
+    Impl& impl = *impl_;
+    for (int tile = 0; tile < impl.tileCount(); ++tile) {
+        impl.forEachPixel(tile, [&](int x, int y) {
+            impl.state.pixels[impl.pixelIndex(x, y)].wantedCount =
+                static_cast<float>(impl.schedule.wantedCount(tile));
+        });
+    }
     FloatImage image = impl.state.toImage(stateAttributes(impl.scene, impl.camera, impl.options));
     image.metadata["polylume:paths"] = pathCount();
     return image;
@@ -288,20 +305,23 @@ void ReferenceTracer::restore(const FloatImage& state) {
     Impl& impl = *impl_;
     ReferenceState restored =
         ReferenceState::fromImage(state, stateAttributes(impl.scene, impl.camera, impl.options));
-    // Tiles of an unfinished round are ahead; the round is finished first.
-    auto least = static_cast<float>(impl.lastPathCount);
-    for (const PixelState& sums : restored.pixels) {
-        const float count = sums.pathCount;
-        if (!(count >= 0.0f && count <= static_cast<float>(impl.lastPathCount)) ||
-            count != std::floor(count)) {
-            throw Error(concat("expected numbers of paths from 0 to ", impl.lastPathCount,
-                               " in state.paths.Y, found ", count,
-                               "; the file is damaged, start anew"));
+    const int last = impl.schedule.lastCount();
+    const auto countOf = [last](float count) {
+        if (count >= 0.0f && count <= static_cast<float>(last) && count == std::floor(count)) {
+            return static_cast<int>(count);
         }
-        least = std::min(least, count);
+        throw Error(concat("expected numbers of paths from 0 to ", last, ", found ", count,
+                           "; the file is damaged, start anew"));
+    };
+    PathSchedule schedule(impl.tileCount(), last);
+    for (int tile = 0; tile < impl.tileCount(); ++tile) {
+        impl.forEachPixel(tile, [&](int x, int y) {
+            const PixelState& sums = restored.pixels[impl.pixelIndex(x, y)];
+            schedule.set(tile, countOf(sums.pathCount), countOf(sums.wantedCount));
+        });
     }
     impl.state = std::move(restored);
-    impl.doneCount = static_cast<int>(least);
+    impl.schedule = std::move(schedule);
 }
 
 }  // namespace polylume::reference

@@ -23,7 +23,8 @@ struct ReferenceOptions : ViewOptions {
     /// Light paths a pixel; rounded up to fill every replicate at every of the `sampleCount`
     /// positions in the pixel evenly. With a target error the most that are taken.
     int pathCount = 256;
-    /// Stops once relativeError() is below this; above 0.
+    /// Stops once relativeError() is below this; above 0. Tiles of 16x16 pixels then get the paths
+    /// that their noise asks for.
     std::optional<double> targetError;
     /// Surfaces block light. Lights themselves never do.
     bool shadows = true;
@@ -63,7 +64,7 @@ class ReferenceTracer {
     /// over the mean of the picture; 0 for a black one.
     double relativeError() const;
 
-    /// Light paths a pixel that every pixel has by now.
+    /// Light paths a pixel that every pixel has by now; with a target error the mean.
     int pathCount() const;
     /// The most that run() takes: ReferenceOptions::pathCount, rounded up.
     int plannedPathCount() const;

@@ -119,6 +119,39 @@ TEST(TargetErrorTest, endsTheRunBelowIt) {
     EXPECT_GT(last, 16);
 }
 
+TEST(TargetErrorTest, whereThePathsGoDoesNotShiftThePicture) {
+    const scene::Scene scene = makeNoisyScene();
+    const auto imageOf = [&](const ReferenceOptions& options) {
+        ReferenceTracer tracer(scene, kCamera, options);
+        Progress progress;
+        tracer.run(progress);
+        return tracer.picture().image;
+    };
+    const FloatImage truth = imageOf(makeNoisyOptions(1 << 14));
+    double sum = 0.0, difference = 0.0, variance = 0.0, square = 0.0;
+    constexpr int kSeedCount = 16;
+    for (int seed = 1; seed <= kSeedCount; ++seed) {
+        ReferenceOptions options = makeNoisyOptions(1 << 16);
+        options.targetError = 0.03;
+        options.seed = static_cast<std::uint32_t>(seed);
+        const FloatImage image = imageOf(options);
+        for (std::size_t i = 0; i < image.pixels.size() / image.channelCount(); ++i) {
+            const glm::dvec3 deviation = testing::layer(image, "standardError", i);
+            const glm::dvec3 off = testing::color(image, i) - testing::color(truth, i);
+            const glm::dvec3 value = testing::color(truth, i);
+            sum += value.r + value.g + value.b;
+            difference += off.r + off.g + off.b;
+            square += glm::dot(off, off);
+            // The channels of a pixel share their paths.
+            const double ofAll = deviation.r + deviation.g + deviation.b;
+            variance += ofAll * ofAll;
+        }
+    }
+    EXPECT_LT(std::abs(difference), 3.0 * std::sqrt(variance));
+    const double count = 3.0 * static_cast<double>(truth.width) * truth.height * kSeedCount;
+    EXPECT_NEAR(std::sqrt(square / count) / (sum / count), 0.03, 0.01);
+}
+
 TEST(TargetErrorTest, thePathCountIsTheMost) {
     const scene::Scene scene = makeNoisyScene();
     ReferenceOptions options = makeNoisyOptions(33);
