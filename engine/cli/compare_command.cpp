@@ -54,9 +54,7 @@ void print(const std::string& text) {
     }
 }
 
-}  // namespace
-
-bool run(const CompareCommand& command) {
+bool compareAndReport(const CompareCommand& command) {
     checkHeatMap(command);
     const compare::NamedPicture test = readPicture(command.test);
     const compare::NamedPicture reference = readPicture(command.reference);
@@ -82,6 +80,18 @@ bool run(const CompareCommand& command) {
         if (!verdict.passed) log(LogLevel::warning, describe(verdict));
     }
     return allPassed(verdicts);
+}
+
+}  // namespace
+
+bool run(const CompareCommand& command) {
+    try {
+        return compareAndReport(command);
+    } catch (const Error& error) {
+        // Who reads the report finds the reason there, too.
+        if (command.json) print(failureJson(command, error.what()));
+        throw;
+    }
 }
 
 }  // namespace polylume::cli

@@ -55,6 +55,8 @@ nlohmann::ordered_json layerJson(const LayerDifference& layer) {
             {"channels", layer.channels},
             {"relativeRmse", layer.relativeRmse},
             {"rmse", layer.rmse},
+            {"relativeMeanAbsolute", layer.relativeMeanAbsolute},
+            {"meanAbsolute", layer.meanAbsolute},
             {"relativeBias", layer.relativeBias},
             {"bias", layer.bias},
             {"psnrDecibels", layer.psnr},
@@ -83,6 +85,11 @@ nlohmann::ordered_json flipJson(const compare::Comparison& comparison) {
     return json;
 }
 
+std::string dump(const nlohmann::ordered_json& json) {
+    // A file's name may be no UTF-8.
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+}
+
 }  // namespace
 
 std::string compareText(const CompareReport& report) {
@@ -94,13 +101,14 @@ std::string compareText(const CompareReport& report) {
     for (const LayerDifference& layer : comparison.layers) {
         width = std::max(width, titleOf(layer).size());
     }
-    text += fmt::format("{:<{}}  {:>10}  {:>10}  {:>10}  {:>10}  {:>8}  largest\n", "layer", width,
-                        "rel. RMSE", "RMSE", "rel. bias", "bias", "PSNR, dB");
+    text += fmt::format("{:<{}}  {:>10}  {:>10}  {:>11}  {:>10}  {:>10}  {:>8}  largest\n", "layer",
+                        width, "rel. RMSE", "RMSE", "rel. |diff|", "rel. bias", "bias", "PSNR, dB");
     for (const LayerDifference& layer : comparison.layers) {
-        text +=
-            fmt::format("{:<{}}  {:>10.4g}  {:>10.4g}  {:>10.3g}  {:>10.3g}  {:>8.2f}  {:.4g} {}\n",
-                        titleOf(layer), width, layer.relativeRmse, layer.rmse, layer.relativeBias,
-                        layer.bias, layer.psnr, layer.maximum, extremeText(layer));
+        text += fmt::format(
+            "{:<{}}  {:>10.4g}  {:>10.4g}  {:>11.4g}  {:>10.3g}  {:>10.3g}  {:>8.2f}  "
+            "{:.4g} {}\n",
+            titleOf(layer), width, layer.relativeRmse, layer.rmse, layer.relativeMeanAbsolute,
+            layer.relativeBias, layer.bias, layer.psnr, layer.maximum, extremeText(layer));
     }
     if (comparison.flip) {
         const compare::FlipSummary& flip = *comparison.flip;
@@ -144,13 +152,23 @@ std::string compareJson(const CompareReport& report) {
                                          {"flip", flipJson(comparison)},
                                          {"limits", limits},
                                          {"passed", allPassed(report.verdicts)}};
-    // A file's name may be no UTF-8.
-    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+    return dump(json);
+}
+
+std::string failureJson(const CompareCommand& command, std::string_view error) {
+    return dump({{"test", command.test.string()},
+                 {"reference", command.reference.string()},
+                 {"error", error},
+                 {"passed", false}});
 }
 
 std::string describe(const Verdict& verdict) {
-    return fmt::format("{} {:g}: {} {:.6g}, {}", flagOf(verdict.kind), verdict.limit, verdict.layer,
-                       verdict.found, verdict.passed ? "within the limit" : "over the limit");
+    const char* measure = verdict.kind == LimitKind::meanFlip       ? "mean FLIP"
+                          : verdict.kind == LimitKind::relativeRmse ? "relative RMSE"
+                                                                    : "largest difference";
+    return fmt::format("{} {:g}: {} {} {:.6g}, {}", flagOf(verdict.kind), verdict.limit,
+                       verdict.layer, measure, verdict.found,
+                       verdict.passed ? "within the limit" : "over the limit");
 }
 
 bool allPassed(const std::vector<Verdict>& verdicts) {

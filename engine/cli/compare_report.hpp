@@ -4,8 +4,10 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "cli/compare_command.hpp"
 #include "compare/comparison.hpp"
 
 namespace polylume::cli {
@@ -22,7 +24,11 @@ struct CompareReport {
 std::string compareText(const CompareReport& report);
 std::string compareJson(const CompareReport& report);
 
-/// One line on a verdict, as "--max-abs 0.1: color 0.25, over the limit".
+/// The JSON object of a comparison that could not be made, with the reason.
+std::string failureJson(const CompareCommand& command, std::string_view error);
+
+/// One line on a verdict, as "--max-abs 0.1: color largest difference 0.25, over
+/// the limit".
 std::string describe(const compare::Verdict& verdict);
 
 bool allPassed(const std::vector<compare::Verdict>& verdicts);

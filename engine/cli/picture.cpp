@@ -21,17 +21,6 @@
 namespace polylume::cli {
 namespace {
 
-std::string nameOf(Diffuse diffuse) {
-    switch (diffuse) {
-        case Diffuse::burley:
-            return "burley";
-        case Diffuse::orenNayar:
-            return "oren-nayar";
-        default:
-            return "lambert";
-    }
-}
-
 /// The EV of a PNG.
 double exposureOf(const PictureRequest& request, const RenderedImage& rendered) {
     // A picture without a lit surface has nothing to go by; EV 10 shows a radiance of 1229 nits as
@@ -99,12 +88,8 @@ ImageMetadata describePicture(const scene::Scene& scene, const scene::Camera& ca
     metadata["polylume:scene"] = scene.name;
     metadata["polylume:camera"] = camera.name;
     metadata["polylume:samples"] = options.sampleCount;
-    metadata["polylume:diffuse"] = nameOf(options.model.diffuse);
+    metadata["polylume:diffuse"] = std::string(nameOf(options.model.diffuse));
     return metadata;
-}
-
-std::string nameOf(Specular specular) {
-    return specular == Specular::beckmann ? "beckmann" : "ggx";
 }
 
 void writePicture(const PictureRequest& request, const ViewOptions& options,

@@ -39,8 +39,6 @@ const scene::Camera& chooseCamera(const scene::Scene& scene, const PictureReques
 ImageMetadata describePicture(const scene::Scene& scene, const scene::Camera& camera,
                               const ViewOptions& options);
 
-std::string nameOf(Specular specular);
-
 /// Writes `rendered` as the extension asks: an EXR as it is, a PNG exposed and tone-mapped, with
 /// alpha where `options` ask for no background.
 void writePicture(const PictureRequest& request, const ViewOptions& options,

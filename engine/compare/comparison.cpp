@@ -36,6 +36,7 @@ LayerDifference differenceOf(const PicturePair& pair, const Layer& layer) {
     result.channels = layer.channels;
     double sum = 0.0;
     double squareSum = 0.0;
+    double absoluteSum = 0.0;
     double magnitudeSum = 0.0;
     double peak = 0.0;
     const int width = pair.reference().width;
@@ -54,6 +55,7 @@ LayerDifference differenceOf(const PicturePair& pair, const Layer& layer) {
                 const double difference = test - reference;
                 sum += difference;
                 squareSum += difference * difference;
+                absoluteSum += std::abs(difference);
                 magnitudeSum += std::abs(reference);
                 peak = std::max(peak, std::abs(reference));
                 if (std::abs(difference) > result.maximum) {
@@ -66,8 +68,10 @@ LayerDifference differenceOf(const PicturePair& pair, const Layer& layer) {
     const double count = static_cast<double>(width) * height * static_cast<double>(channelCount);
     result.rmse = std::sqrt(squareSum / count);
     result.bias = sum / count;
+    result.meanAbsolute = absoluteSum / count;
     result.relativeRmse = ratio(result.rmse, magnitudeSum / count);
     result.relativeBias = ratio(result.bias, magnitudeSum / count);
+    result.relativeMeanAbsolute = ratio(result.meanAbsolute, magnitudeSum / count);
     result.psnr = psnrOf(pair.reference().values == PixelValues::display ? 1.0 : peak, result.rmse);
     return result;
 }

@@ -27,12 +27,14 @@ struct ValueAt {
 struct LayerDifference {
     std::string name;
     std::vector<std::string> channels;
-    double rmse = 0.0;  ///< Root of the mean square of test - reference.
-    double bias = 0.0;  ///< Mean of test - reference.
-    /// Both divided by the reference's mean magnitude, which is its mean where nothing is negative.
-    /// 0 where the difference is 0, infinite where the reference alone is 0 all over.
+    double rmse = 0.0;          ///< Root of the mean square of test - reference.
+    double bias = 0.0;          ///< Mean of test - reference.
+    double meanAbsolute = 0.0;  ///< Mean of |test - reference|.
+    /// All three divided by the reference's mean magnitude, which is its mean where nothing is
+    /// negative. 0 where the difference is 0, infinite where the reference alone is 0 all over.
     double relativeRmse = 0.0;
     double relativeBias = 0.0;
+    double relativeMeanAbsolute = 0.0;
     double maximum = 0.0;  ///< The largest |test - reference|.
     ValueAt maximumAt;     ///< Its first place, row by row.
     /// 20 log10(peak / rmse) in dB, the peak being 1 for display values and the reference's largest

@@ -56,7 +56,9 @@ fs::path createTemporaryBeside(const fs::path& path) {
         }
         if (errno != EEXIST) break;
     }
-    throwSystemError("write", path);
+    const std::string reason = std::strerror(errno);
+    throw Error(
+        concat("can't write ", path.string(), ": no file can be made in its folder: ", reason));
 }
 
 }  // namespace
@@ -76,7 +78,8 @@ void checkWritable(const fs::path& path) {
         throw Error(concat("expected a folder to write ", path.string(), " into, found none at ",
                            folder.string(), ": create it"));
     }
-    if (::access(folder.c_str(), W_OK | X_OK) != 0) throwSystemError("write", path);
+    // Only a file that was made tells: some folders take none, whatever their permissions say.
+    fs::remove(createTemporaryBeside(path));
 }
 
 void writeFileAtomically(const fs::path& path, const std::function<void(const fs::path&)>& write) {

@@ -18,8 +18,8 @@ std::vector<std::byte> readFile(const std::filesystem::path& path);
 /// The same as text.
 std::string readTextFile(const std::filesystem::path& path);
 
-/// Throws Error that says why where no file could be written at `path`: no such folder, or no right
-/// to write in it. For use before long work whose result goes there.
+/// Throws Error that says why where no file can be written at `path`: no such folder, or one that
+/// takes no file, which a temporary one tries. For use before long work whose result goes there.
 void checkWritable(const std::filesystem::path& path);
 
 /// Lets `write` fill a temporary file beside `path`, of the same extension, and renames it to

@@ -18,6 +18,7 @@ constexpr std::size_t kValueCount = sizeof(PixelState) / sizeof(float);
 static_assert(kValueCount == 6 + 3 * ReferenceTracer::kReplicateCount);
 static_assert(std::is_trivially_copyable_v<PixelState>);
 
+constexpr std::string_view kDigest = " digest";
 constexpr const char* kPrefix = "polylume:state.";
 
 /// In the order of PixelState.
@@ -206,6 +207,12 @@ ReferenceState ReferenceState::fromImage(const FloatImage& image,
         const auto* text =
             found == image.metadata.end() ? nullptr : std::get_if<std::string>(&found->second);
         if (text == nullptr) throw Error(concat("expected the attribute ", kPrefix, name));
+        if (*text != value && name.ends_with(kDigest)) {
+            const std::string what = name.substr(0, name.size() - kDigest.size());
+            throw Error(concat("expected a run of the same ", what,
+                               ", found one of another; use the "
+                               "same files and flags, or start anew"));
+        }
         if (*text != value) {
             throw Error(concat("expected a run with ", name, " ", value, ", found one with ", *text,
                                "; use the same scene and flags, or start anew"));
@@ -246,10 +253,10 @@ std::map<std::string, std::string> stateAttributes(const scene::Scene& scene,
         {"seed", concat(options.seed)},
         {"shadows", flag(options.shadows)},
         {"depth", concat(options.depth)},
-        {"lobes", concat(static_cast<int>(options.lobes))},
-        {"specular", concat(static_cast<int>(options.model.specular))},
-        {"diffuse", concat(static_cast<int>(options.model.diffuse))},
-        {"light sampling", concat(static_cast<int>(options.lightSampling))},
+        {"lobes", nameOf(options.lobes)},
+        {"specular", nameOf(options.model.specular)},
+        {"diffuse", nameOf(options.model.diffuse)},
+        {"light sampling", options.lightSampling == LightSampling::area ? "area" : "solid angle"},
         {"hidden lights", flag(options.hideLights)},
         {"background", background ? exact(*background) : "none"},
     };

@@ -132,6 +132,15 @@ TEST_F(CompareTest, jsonHasNullForTheInfinite) {
     EXPECT_EQ(equal.at("passed"), true);
 }
 
+TEST_F(CompareTest, jsonSaysWhyNothingWasCompared) {
+    const Outcome outcome = compare({path("nowhere.png"), path("neither.png"), "--json"});
+    EXPECT_EQ(outcome.exitCode, 1);
+    const nlohmann::json json = nlohmann::json::parse(outcome.output);
+    EXPECT_EQ(json.at("passed"), false);
+    EXPECT_THAT(json.at("error").get<std::string>(), HasSubstr("nowhere.png"));
+    EXPECT_THAT(outcome.error, HasSubstr("nowhere.png"));
+}
+
 TEST_F(CompareTest, theHeatMapShowsWhereTheyDiffer) {
     const std::string a = writePng("a.png", 250);
     const std::string b = writePng("b.png", 100);
@@ -161,7 +170,7 @@ TEST_F(CompareTest, layersAreJudgedEach) {
     const std::string b = writeExr("b.exr", {"normal.X", "R", "G", "B"}, 1.0f);
     const Outcome outcome = compare({a, b, "--max-abs", "1.5", "--flip-max", "0"});
     EXPECT_EQ(outcome.exitCode, 1);
-    EXPECT_THAT(outcome.error, HasSubstr("normal 2, over"));
+    EXPECT_THAT(outcome.error, HasSubstr("normal largest difference 2, over"));
     EXPECT_EQ(compare({a, b, "--max-abs", "0", "--channels", "R,G,B"}).exitCode, 0);
 }
 

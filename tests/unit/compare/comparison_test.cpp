@@ -41,6 +41,8 @@ TEST(Comparison, measuresByHand) {
     EXPECT_NEAR(layer.relativeRmse, std::sqrt(26.0 / 4.0) / 5.0, 1e-15);
     EXPECT_NEAR(layer.bias, 0.5, 1e-15);
     EXPECT_NEAR(layer.relativeBias, 0.1, 1e-15);
+    EXPECT_NEAR(layer.meanAbsolute, 2.0, 1e-15);
+    EXPECT_NEAR(layer.relativeMeanAbsolute, 0.4, 1e-15);
     EXPECT_EQ(layer.maximum, 4.0);
     EXPECT_EQ(layer.maximumAt.x, 1);
     EXPECT_EQ(layer.maximumAt.y, 1);

@@ -84,6 +84,13 @@ TEST_F(FileTest, namesWhatCantBeWritten) {
     EXPECT_EQ(fileCount(), 1) << "a temporary file was left";
 }
 
+TEST_F(FileTest, asksAFolderByMakingAFileInIt) {
+    // Its permissions allow it to the superuser.
+    EXPECT_THROW(checkWritable("/proc/picture.exr"), Error);
+    EXPECT_NO_THROW(checkWritable(folder_ / "picture.exr"));
+    EXPECT_FALSE(fs::exists(folder_ / "picture.exr"));
+}
+
 TEST_F(FileTest, replacesTheWholeFile) {
     const fs::path path = folder_ / "picture.exr";
     writeText(path, "a long first version");

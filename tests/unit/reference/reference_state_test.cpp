@@ -182,8 +182,8 @@ TEST_F(ReferenceStateTest, anotherRunIsRefusedByName) {
     EXPECT_THAT(with([](auto& o) { o.lightSampling = LightSampling::area; }),
                 HasSubstr("light sampling"));
     EXPECT_THAT(with([](auto& o) { o.extraLights.polygons[0].radiance.x = 999.0f; }),
-                HasSubstr("lights digest"));
-    EXPECT_THAT(with([](auto& o) { o.extraLights.punctuals.clear(); }), HasSubstr("lights digest"));
+                HasSubstr("of the same lights"));
+    EXPECT_THAT(with([](auto& o) { o.extraLights.punctuals.clear(); }), HasSubstr("of the same lights"));
     // What changes no result is free.
     EXPECT_EQ(with([](auto& o) { o.threadCount = 3; }), "no error");
     EXPECT_EQ(with([](auto& o) { o.aovs.clear(); }), "no error");
@@ -197,7 +197,7 @@ TEST_F(ReferenceStateTest, anotherSceneIsRefused) {
         return refusal(state, scene, kCamera, options_);
     };
     EXPECT_EQ(with([](auto& s) { s.name = "another name"; }), "no error");
-    const auto isNamed = HasSubstr("scene digest");
+    const auto isNamed = HasSubstr("of the same scene");
     EXPECT_THAT(with([](auto& s) { s.materials[0].roughnessFactor = 0.41f; }), isNamed);
     EXPECT_THAT(with([](auto& s) { s.materials[1].alphaMode = scene::AlphaMode::mask; }), isNamed);
     EXPECT_THAT(with([](auto& s) { s.meshes[0].positions[2].y = 1e-3f; }), isNamed);
@@ -207,10 +207,10 @@ TEST_F(ReferenceStateTest, anotherSceneIsRefused) {
 
     scene::Camera camera = kCamera;
     camera.worldFromCamera[3].x += 0.01f;
-    EXPECT_THAT(refusal(state, scene_, camera, options_), HasSubstr("camera digest"));
+    EXPECT_THAT(refusal(state, scene_, camera, options_), HasSubstr("of the same camera"));
     camera = kCamera;
     std::get<scene::Perspective>(camera.projection).yFovRadians = 0.61f;
-    EXPECT_THAT(refusal(state, scene_, camera, options_), HasSubstr("camera digest"));
+    EXPECT_THAT(refusal(state, scene_, camera, options_), HasSubstr("of the same camera"));
 }
 
 TEST_F(ReferenceStateTest, whatIsNoStateIsRefused) {
