@@ -63,7 +63,7 @@ glm::dvec3 DirectLight::byLight(std::size_t index, const glm::dvec2& random) con
 glm::dvec3 DirectLight::byReflection(const glm::dvec3& direction,
                                      const Reflected& reflected) const {
     glm::dvec3 sum(0.0);
-    if (reflected.value == glm::dvec3(0.0)) return sum;
+    if (reflected.value == glm::dvec3(0.0) || !(reflected.density > 0.0)) return sum;
     for (const LightView& view : views_) {
         const LightSample sample = view.find(direction);
         if (!(sample.density > 0.0)) continue;
