@@ -48,6 +48,22 @@ DataTable startTable(std::string title, std::vector<std::string> first) {
     return table;
 }
 
+/// One comparison, with its truth beside it and its errors below.
+Panel makePanel(const FigureFolder& folder, const Comparison& comparison) {
+    Panel panel;
+    panel.title = comparison.title;
+    addComparison(panel, folder, comparison, writeTruth(folder, comparison), "LTC");
+    panel.note = describe(comparison.errors);
+    return panel;
+}
+
+/// `row` with the comparison's errors and costs after its first cells.
+std::vector<std::string> makeRow(std::vector<std::string> row, const Comparison& comparison) {
+    append(row, errorCells(comparison.errors));
+    append(row, costCells(comparison));
+    return row;
+}
+
 }  // namespace
 
 Figure makeFloorFigure(const FigureFolder& folder, PictureMaker& maker, bool quick,
@@ -71,15 +87,8 @@ Figure makeFloorFigure(const FigureFolder& folder, PictureMaker& maker, bool qui
     for (std::size_t i = 0; i < all.size(); ++i) {
         PartialProgress part(progress, i, all.size());
         const Comparison comparison = compareFloor(maker, all[i], Quality::standard, part);
-        Panel panel;
-        panel.title = comparison.title;
-        addComparison(panel, folder, comparison, writeTruth(folder, comparison), "LTC");
-        panel.note = describe(comparison.errors);
-        figure.panels.push_back(panel);
-        std::vector<std::string> row = {fmt::format("{:.2f}", all[i])};
-        append(row, errorCells(comparison.errors));
-        append(row, costCells(comparison));
-        table.rows.push_back(row);
+        figure.panels.push_back(makePanel(folder, comparison));
+        table.rows.push_back(makeRow({fmt::format("{:.2f}", all[i])}, comparison));
     }
     figure.tables.push_back(table);
     return figure;
@@ -107,15 +116,10 @@ Figure makeFailureFigure(const FigureFolder& folder, PictureMaker& maker, bool q
         comparison.truth = &truth;
         comparison.ltc = maker.drawLtc(cases[i].scene, Quality::standard, true);
         comparison.errors = measureErrors(comparison.ltc.image, truth.image);
-        Panel panel;
-        panel.title = comparison.title;
-        addComparison(panel, folder, comparison, writeTruth(folder, comparison), "LTC");
-        panel.note = describe(comparison.errors) + " " + cases[i].cause;
+        Panel panel = makePanel(folder, comparison);
+        panel.note += " " + cases[i].cause;
         figure.panels.push_back(panel);
-        std::vector<std::string> row = {cases[i].title};
-        append(row, errorCells(comparison.errors));
-        append(row, costCells(comparison));
-        table.rows.push_back(row);
+        table.rows.push_back(makeRow({cases[i].title}, comparison));
     }
     figure.tables.push_back(table);
     return figure;
@@ -151,10 +155,8 @@ Figure makeQualityFigure(const FigureFolder& folder, PictureMaker& maker, bool q
             addComparison(panel, folder, comparison, truth, label);
             panel.note += fmt::format("{}{}: {}", two ? " " : "", two ? "Two lobes" : "One lobe",
                                       describe(comparison.errors));
-            std::vector<std::string> row = {fmt::format("{:.2f}", all[i]), two ? "2" : "1"};
-            append(row, errorCells(comparison.errors));
-            append(row, costCells(comparison));
-            table.rows.push_back(row);
+            table.rows.push_back(
+                makeRow({fmt::format("{:.2f}", all[i]), two ? "2" : "1"}, comparison));
         }
         figure.panels.push_back(panel);
     }

@@ -109,9 +109,8 @@ std::optional<double> AreaEmitter::intersect(const glm::dvec3& rayOrigin,
     const double distance = glm::dot(offset, normal) / glm::dot(direction, normal);
     if (!(distance > 0.0) || !std::isfinite(distance)) return std::nullopt;
     const glm::dvec3 point = distance * direction - offset;
-    const glm::dvec2 planar(glm::dot(point, axisX) / glm::dot(axisX, axisX),
-                            glm::dot(point, axisY) / glm::dot(axisY, axisY));
-    return contains(planar) ? std::optional(distance) : std::nullopt;
+    return contains(planarCoordinates(point, axisX, axisY)) ? std::optional(distance)
+                                                            : std::nullopt;
 }
 
 std::vector<AreaEmitter> areaEmitters(const LightSet& lights) {

@@ -12,6 +12,14 @@
 
 namespace polylume::reference {
 
+/// Where `point`, from an origin in the plane of two axes at right angles, lies along them in their
+/// lengths.
+inline glm::dvec2 planarCoordinates(const glm::dvec3& point, const glm::dvec3& axisX,
+                                    const glm::dvec3& axisY) {
+    return {glm::dot(point, axisX) / glm::dot(axisX, axisX),
+            glm::dot(point, axisY) / glm::dot(axisY, axisY)};
+}
+
 /// A flat light, prepared for being hit by rays and sampled. Points of its plane are
 /// origin + x axisX + y axisY.
 struct AreaEmitter {

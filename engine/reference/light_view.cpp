@@ -128,8 +128,7 @@ double LightView::distanceTo(const glm::dvec3& direction) const {
 bool LightView::isHit(const glm::dvec3& direction, double distance) const {
     if (!(distance > 0.0) || !std::isfinite(distance)) return false;
     const glm::dvec3 point = distance * direction - origin_;
-    return emitter_->contains({glm::dot(point, axisX_) / glm::dot(axisX_, axisX_),
-                               glm::dot(point, axisY_) / glm::dot(axisY_, axisY_)});
+    return emitter_->contains(planarCoordinates(point, axisX_, axisY_));
 }
 
 double LightView::density(const glm::dvec3& direction, double distance) const {

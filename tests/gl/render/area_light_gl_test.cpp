@@ -5,6 +5,7 @@
 
 #include "gl/lighting/shading_harness.hpp"
 #include "render_fixture.hpp"
+#include "support/test_lights.hpp"
 #include "view/scene_lights.hpp"
 
 namespace polylume {
@@ -21,23 +22,6 @@ LightSet polygonsOf(const scene::Scene& scene) {
         lights.polygons.push_back({{outline(light)}, light.radiance, light.twoSided});
     }
     return lights;
-}
-
-/// An L with a square hole over the floor, facing down: clockwise seen from above.
-PolygonLight makeHoledLight(float height) {
-    PolygonLight light;
-    light.contours = {{{-1, height, -1},
-                       {1.5f, height, -1},
-                       {1.5f, height, 0.6f},
-                       {0.2f, height, 0.6f},
-                       {0.2f, height, 2},
-                       {-1, height, 2}},
-                      {{-0.7f, height, -0.6f},
-                       {-0.7f, height, 0.1f},
-                       {-0.1f, height, 0.1f},
-                       {-0.1f, height, -0.6f}}};
-    light.radiance = {1000.0f, 400.0f, 50.0f};
-    return light;
 }
 
 class AreaLightTest : public test::RenderTest {
@@ -93,20 +77,19 @@ TEST_P(AreaLightTest, lambertFloorUnderARectangleIsItsFormFactor) {
                                                         {2.0f, 1.2f}, {1000.0f, 700.0f, 20.0f}));
     RenderOptions options = test::makeOptions(kSize);
     options.hideLights = true;
-    expectFormFactors(drawFrame(scene, floorCamera(), options),
-                      polygonsOf(scene).polygons.front());
+    expectFormFactors(drawFrame(scene, floorCamera(), options), polygonsOf(scene).polygons.front());
 }
 
 TEST_P(AreaLightTest, lambertFloorUnderAConcavePolygonWithAHoleIsItsFormFactor) {
     const scene::Scene scene = test::makeLambertScene(test::makeFloor(4.0f), {0.8f, 0.5f, 0.2f});
-    const LightSet lights{{makeHoledLight(1.3f)}, {}};
+    const LightSet lights{{test::makeHoledLight(1.3f)}, {}};
     expectFormFactors(drawFrame(scene, floorCamera(), test::makeOptions(kSize), &lights),
                       lights.polygons.front());
 }
 
 TEST_P(AreaLightTest, theHoleTakesItsShareAway) {
     const scene::Scene scene = test::makeLambertScene(test::makeFloor(4.0f), glm::vec3(0.6f));
-    LightSet lights{{makeHoledLight(1.3f)}, {}};
+    LightSet lights{{test::makeHoledLight(1.3f)}, {}};
     const RenderOptions options = test::makeOptions(kSize);
     const Frame holed = drawFrame(scene, floorCamera(), options, &lights);
     PolygonLight hole = lights.polygons.front();

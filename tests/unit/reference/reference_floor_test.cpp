@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "reference_scenes.hpp"
+#include "support/test_lights.hpp"
 #include "support/test_scenes.hpp"
 
 // A Lambert floor under lights that nothing blocks: closed forms.
@@ -45,19 +46,8 @@ const PolygonLight kRectangle =
 const PolygonLight kUpright =
     testing::rectangleLight({0.0f, 0.5f, -1.5f}, {1.2f, 0, 0}, {0, 1, 0.1f}, kNits);
 
-/// An L with a square hole, facing down: clockwise seen from above.
 PolygonLight makeHoledLight(float height) {
-    PolygonLight light;
-    light.contours = {{{-1, height, -1},
-                       {1.5f, height, -1},
-                       {1.5f, height, 0.6f},
-                       {0.2f, height, 0.6f},
-                       {0.2f, height, 2},
-                       {-1, height, 2}},
-                      {{-0.7f, height, -0.6f},
-                       {-0.7f, height, 0.1f},
-                       {-0.1f, height, 0.1f},
-                       {-0.1f, height, -0.6f}}};
+    PolygonLight light = test::makeHoledLight(height);
     light.radiance = kNits;
     return light;
 }
