@@ -15,6 +15,18 @@ double weightedInverse(double own, double other) {
     return 1.0 / (own * (1.0 + ratio * ratio));
 }
 
+/// The share of light that reaches the point from a direction in its frame.
+double visibility(const Surface& surface, const ShadedPoint& point, const Lighting& lighting,
+                  const glm::dvec3& direction, double distance) {
+    if (lighting.occluders == nullptr) return 1.0;
+    Ray ray = rayFrom(surface.position, surface.geometricNormal, point.frame().toWorld(direction),
+                      *lighting.occluders);
+    // Surfaces in the light's own plane, which a light often lies on, do not hide it; the ray
+    // begins a little nearer to them than the point is.
+    ray.farthest = distance * (1.0 - 1e-5) - 10.0 * ray.nearest;
+    return lighting.occluders->transmittance(ray);
+}
+
 }  // namespace
 
 Ray rayFrom(const glm::dvec3& position, const glm::dvec3& geometricNormal,
@@ -29,7 +41,7 @@ Ray rayFrom(const glm::dvec3& position, const glm::dvec3& geometricNormal,
 }
 
 DirectLight::DirectLight(const Surface& surface, const ShadedPoint& point, const Lighting& lighting)
-    : point_(point), lighting_(lighting), geometricNormal_(surface.geometricNormal) {
+    : surface_(surface), point_(point), lighting_(lighting) {
     views_.reserve(lighting.emitters.size());
     for (const AreaEmitter& emitter : lighting.emitters) {
         LightView view(emitter, point.frame(), point.lobeShapes(), lighting.sampling);
@@ -37,14 +49,15 @@ DirectLight::DirectLight(const Surface& surface, const ShadedPoint& point, const
     }
 }
 
-glm::dvec3 DirectLight::punctualLight() const {
+glm::dvec3 punctualLight(const Surface& surface, const ShadedPoint& point,
+                         const Lighting& lighting) {
     glm::dvec3 sum(0.0);
-    for (const PunctualLight& light : lighting_.punctuals) {
-        const PunctualIlluminance lit = illuminanceOf(light, point_.frame().position);
-        const glm::dvec3 direction = point_.frame().toFrame(lit.toLight);
-        const glm::dvec3 radiance = point_.reflect(direction).value * lit.illuminance;
+    for (const PunctualLight& light : lighting.punctuals) {
+        const PunctualIlluminance lit = illuminanceOf(light, point.frame().position);
+        const glm::dvec3 direction = point.frame().toFrame(lit.toLight);
+        const glm::dvec3 radiance = point.reflect(direction).value * lit.illuminance;
         if (radiance == glm::dvec3(0.0)) continue;
-        sum += radiance * visibility(direction, lit.distance);
+        sum += radiance * visibility(surface, point, lighting, direction, lit.distance);
     }
     return sum;
 }
@@ -57,7 +70,7 @@ glm::dvec3 DirectLight::byLight(std::size_t index, const glm::dvec2& random) con
     if (reflected.value == glm::dvec3(0.0)) return glm::dvec3(0.0);
     const double weight = weightedInverse(sample.density, reflected.density);
     const glm::dvec3 radiance = reflected.value * view.radiance() * weight;
-    return radiance * visibility(sample.direction, sample.distance);
+    return radiance * visibility(surface_, point_, lighting_, sample.direction, sample.distance);
 }
 
 glm::dvec3 DirectLight::byReflection(const glm::dvec3& direction,
@@ -69,19 +82,9 @@ glm::dvec3 DirectLight::byReflection(const glm::dvec3& direction,
         if (!(sample.density > 0.0)) continue;
         const double weight = weightedInverse(reflected.density, sample.density);
         const glm::dvec3 radiance = reflected.value * view.radiance() * weight;
-        sum += radiance * visibility(direction, sample.distance);
+        sum += radiance * visibility(surface_, point_, lighting_, direction, sample.distance);
     }
     return sum;
-}
-
-double DirectLight::visibility(const glm::dvec3& direction, double distance) const {
-    if (lighting_.occluders == nullptr) return 1.0;
-    Ray ray = rayFrom(point_.frame().position, geometricNormal_, point_.frame().toWorld(direction),
-                      *lighting_.occluders);
-    // Surfaces in the light's own plane, which a light often lies on, do not hide it; the ray
-    // begins a little nearer to them than the point is.
-    ray.farthest = distance * (1.0 - 1e-5) - 10.0 * ray.nearest;
-    return lighting_.occluders->transmittance(ray);
 }
 
 }  // namespace polylume::reference

@@ -26,15 +26,12 @@ struct Lighting {
 /// and Guibas 1995). No light hides another.
 class DirectLight {
   public:
-    /// Keeps references to `point` and `lighting`; `surface` is what `point` was made of.
+    /// Keeps references to all; `surface` is what `point` was made of.
     DirectLight(const Surface& surface, const ShadedPoint& point, const Lighting& lighting);
 
     /// Whether any area light can reach the point.
     bool hasAreaLight() const { return !views_.empty(); }
     std::size_t areaLightCount() const { return views_.size(); }
-
-    /// Radiance of the lights without extent: no estimate.
-    glm::dvec3 punctualLight() const;
 
     /// Of area light `index` out of areaLightCount(), by a sample of the light.
     glm::dvec3 byLight(std::size_t index, const glm::dvec2& random) const;
@@ -43,13 +40,15 @@ class DirectLight {
     glm::dvec3 byReflection(const glm::dvec3& direction, const Reflected& reflected) const;
 
   private:
-    double visibility(const glm::dvec3& direction, double distance) const;
-
+    const Surface& surface_;
     const ShadedPoint& point_;
     const Lighting& lighting_;
-    glm::dvec3 geometricNormal_;
     std::vector<LightView> views_;
 };
+
+/// What one point reflects of the lights without extent: no estimate.
+glm::dvec3 punctualLight(const Surface& surface, const ShadedPoint& point,
+                         const Lighting& lighting);
 
 /// A ray that leaves the surface at `position` to the side that `directionWorld` points to.
 Ray rayFrom(const glm::dvec3& position, const glm::dvec3& geometricNormal,

@@ -106,7 +106,7 @@ glm::dvec3 PathEstimator::punctualLight(const VisibleLayer& layer) const {
     if (lighting_.punctuals.empty()) return glm::dvec3(0.0);
     const ShadedPoint point(layer.surface, model_);
     if (point.isBlack()) return glm::dvec3(0.0);
-    return layer.weight * DirectLight(layer.surface, point, lighting_).punctualLight();
+    return layer.weight * reference::punctualLight(layer.surface, point, lighting_);
 }
 
 void PathEstimator::addPaths(const VisibleLayer& layer, std::uint64_t seed, std::uint32_t firstPath,
@@ -118,6 +118,7 @@ void PathEstimator::addPaths(const VisibleLayer& layer, std::uint64_t seed, std:
     if (options_.depth == 1 && !direct.hasAreaLight()) return;
     for (std::size_t r = 0; r < replicates.size(); ++r) {
         const std::uint64_t replicateSeed = hash(seed, r);
+        const std::uint64_t nextSeed = hash(replicateSeed, kNextVertex);
         glm::dvec3 sum(0.0);
         for (std::size_t k = 0; k < direct.areaLightCount(); ++k) {
             const ScrambledPoints points(hash(replicateSeed, kFirstLight + k));
@@ -134,7 +135,6 @@ void PathEstimator::addPaths(const VisibleLayer& layer, std::uint64_t seed, std:
             if (options_.depth == 1 || !(reflected.density > 0.0)) continue;
             const Ray ray = rayFrom(layer.surface.position, layer.surface.geometricNormal,
                                     point.frame().toWorld(direction), scene_);
-            const std::uint64_t nextSeed = hash(replicateSeed, kNextVertex);
             sum += reflected.value / reflected.density * arrivingLight(ray, nextSeed, i, 2);
         }
         replicates[r] += layer.weight * sum;
@@ -156,7 +156,7 @@ glm::dvec3 PathEstimator::arrivingLight(Ray ray, std::uint64_t seed, std::uint32
         const ShadedPoint point(*surface, model_);
         if (point.isBlack()) break;
         const DirectLight direct(*surface, point, lighting_);
-        sum += throughput * direct.punctualLight();
+        sum += throughput * reference::punctualLight(*surface, point, lighting_);
         for (std::size_t k = 0; k < direct.areaLightCount(); ++k) {
             sum += throughput * direct.byLight(k, random(kFirstLight + k));
         }
