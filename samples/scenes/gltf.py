@@ -7,7 +7,10 @@ bits of its sine are.
 """
 
 import json
+import math
 import struct
+
+from vectors import add, cross, dot, normalize, scale, subtract
 
 POSITION_DIGITS = 5
 NORMAL_DIGITS = 4
@@ -35,7 +38,7 @@ class Document:
             "scene": 0,
             "scenes": [{"nodes": []}],
         }
-        self._lights = []
+        self._lights = {}  # By the extension that has them.
         self._extensions = set()
         self._shapes = {}
 
@@ -77,6 +80,8 @@ class Document:
     def _add_shape(self, shape):
         attributes = {"POSITION": self._add_vectors(shape.positions, POSITION_DIGITS, True),
                       "NORMAL": self._add_vectors(shape.normals, NORMAL_DIGITS)}
+        if shape.tangents:
+            attributes["TANGENT"] = self._add_vectors(shape.tangents, NORMAL_DIGITS)
         is_short = len(shape.positions) <= 65535
         data = struct.pack(f"<{len(shape.indices)}{'H' if is_short else 'I'}", *shape.indices)
         indices = self._add("accessors", {"bufferView": self._add_view(data, 34963),
@@ -127,21 +132,59 @@ class Document:
                                                "perspective": perspective}))
         self.add_node(name, camera=camera, matrix=matrix)
 
+    def _add_light(self, extension, light):
+        """The extension's object for a node."""
+        self._extensions.add(extension)
+        lights = self._lights.setdefault(extension, [])
+        lights.append(rounded(light))
+        return {extension: {"light": len(lights) - 1}}
+
     def add_light(self, name, matrix, size, intensity, color=(1, 1, 1), aspect=1.0, kind="rect"):
         """An EXT_lights_area light; `size` in metres, `intensity` in nits; shines along -Z of `matrix`."""
         light = {"name": name, "type": kind, "size": float(size), "intensity": float(intensity),
                  "color": list(map(float, color))}
         if kind == "rect":
             light["rect"] = {"aspect": float(aspect)}
-        self._lights.append(rounded(light))
-        self._extensions.add("EXT_lights_area")
-        self.add_node(name, matrix=matrix,
-                      extensions={"EXT_lights_area": {"light": len(self._lights) - 1}})
+        self.add_node(name, matrix=matrix, extensions=self._add_light("EXT_lights_area", light))
+
+    def add_shaped_light(self, name, matrix, kind, shape, intensity, color=(1, 1, 1), texture=None,
+                         two_sided=False, nearest=None):
+        """A POLYLUME_lights_area light of the type `kind`; `shape` is that type's object, `texture` a glTF texture.
+
+        `nearest` is what readers that know EXT_lights_area alone shall take for it: (type, size, aspect) and the
+        share of its intensity."""
+        light = {"name": name, "type": kind, "intensity": float(intensity),
+                 "color": list(map(float, color)), kind: shape}
+        if texture is not None:
+            light["texture"] = {"index": texture}
+        if two_sided:
+            light["twoSided"] = True
+        extensions = self._add_light("POLYLUME_lights_area", light)
+        if nearest:
+            kind, size, aspect, share = nearest
+            light = {"name": name, "type": kind, "size": float(size),
+                     "intensity": float(intensity * share), "color": list(map(float, color))}
+            if kind == "rect":
+                light["rect"] = {"aspect": float(aspect)}
+            extensions.update(self._add_light("EXT_lights_area", light))
+        self.add_node(name, matrix=matrix, extensions=extensions)
+
+    def add_tube_light(self, name, start, end, radius, intensity, color=(1, 1, 1)):
+        """Between two points, its round caps beyond them."""
+        along = subtract(end, start)
+        length = math.sqrt(dot(along, along))
+        x = scale(along, 1.0 / length)
+        z = normalize(cross(x, (0.0, 1.0, 0.0) if abs(x[1]) < 0.9 else (0.0, 0.0, 1.0)))
+        y = cross(z, x)
+        middle = scale(add(start, end), 0.5)
+        self.add_shaped_light(name, [*x, 0.0, *y, 0.0, *z, 0.0, *middle, 1.0], "tube",
+                              {"length": length, "radius": float(radius)}, intensity, color)
 
     def to_glb(self):
         document = dict(self._json)
         if self._lights:
-            document["extensions"] = {"EXT_lights_area": {"lights": self._lights}}
+            document["extensions"] = {name: {"lights": lights}
+                                      for name, lights in self._lights.items()}
         if self._extensions:
             document["extensionsUsed"] = sorted(self._extensions)
         self._binary += b"\0" * (-len(self._binary) % 4)

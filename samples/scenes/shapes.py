@@ -8,10 +8,12 @@ from vectors import add, cross, dot, normalize, scale, subtract
 
 
 class Shape:
-    """Positions, normals, texture coordinates (or none) and indices, counter-clockwise from the front."""
+    """Positions, normals, texture coordinates (or none) and indices, counter-clockwise from the front; tangents where a
+    normal map needs them."""
 
     def __init__(self):
         self.positions, self.normals, self.texcoords, self.indices = [], [], [], []
+        self.tangents = []
 
     def append(self, other):
         base = len(self.positions)
@@ -52,6 +54,16 @@ def sphere(radius, rows=48, columns=96):
         normal = (math.sin(polar) * math.cos(azimuth), math.cos(polar),
                   -math.sin(polar) * math.sin(azimuth))
         return scale(normal, radius), normal, (column / columns, row / rows)
+    return grid(rows, columns, vertex)
+
+
+def torus(radius, tube_radius, rows=24, columns=96):
+    """A ring around +Y."""
+    def vertex(row, column):
+        polar, azimuth = 2 * math.pi * row / rows, 2 * math.pi * column / columns
+        out = (math.cos(azimuth), 0.0, -math.sin(azimuth))
+        normal = add(scale(out, math.cos(polar)), (0.0, -math.sin(polar), 0.0))
+        return add(scale(out, radius), scale(normal, tube_radius)), normal, (column / columns, row / rows)
     return grid(rows, columns, vertex)
 
 

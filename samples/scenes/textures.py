@@ -8,15 +8,17 @@ import zlib
 
 
 def png(width, height, pixel):
-    """An 8-bit RGB picture; pixel(u, v) gives three values from 0 to 1, as stored; v = 0 is the top."""
+    """An 8-bit picture; pixel(u, v) gives three values from 0 to 1, as stored, or one for grey; v = 0 is the top."""
     rows = bytearray()
     for y in range(height):
         rows.append(0)
         for x in range(width):
-            for value in pixel((x + 0.5) / width, (y + 0.5) / height):
+            values = pixel((x + 0.5) / width, (y + 0.5) / height)
+            channels = len(values)
+            for value in values:
                 # Rounded first, so that the last bits of a sine decide nothing.
                 rows.append(max(0, min(255, math.floor(round(value * 255, 4) + 0.5))))
-    header = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
+    header = struct.pack(">IIBBBBB", width, height, 8, 2 if channels == 3 else 0, 0, 0, 0)
     return (b"\x89PNG\r\n\x1a\n" + _chunk(b"IHDR", header) +
             _chunk(b"IDAT", _stored(bytes(rows))) + _chunk(b"IEND", b""))
 
@@ -60,6 +62,31 @@ def value_noise(x, y, period):
     top = corner(0, 0) * (1 - tx) + corner(1, 0) * tx
     bottom = corner(0, 1) * (1 - tx) + corner(1, 1) * tx
     return top * (1 - ty) + bottom * ty
+
+
+def fractal_noise(x, y, period, octaves):
+    """value_noise() of growing frequency and falling weight, from 0 to 1."""
+    total, weight, sum_of_weights = 0.0, 1.0, 0.0
+    for octave in range(octaves):
+        scale = 2 ** octave
+        total += weight * value_noise(x * scale + 17 * octave, y * scale + 31 * octave, period * scale)
+        sum_of_weights += weight
+        weight *= 0.5
+    return total / sum_of_weights
+
+
+def normal_map(size, height, texel, strength=1.0):
+    """A picture of the normals of height(u, v) in metres, which repeats; `texel` is its width in metres."""
+    rows = [[height((x + 0.5) / size, (y + 0.5) / size) for x in range(size)] for y in range(size)]
+
+    def pixel(u, v):
+        x, y = int(u * size), int(v * size)
+        slope_x = (rows[y][(x + 1) % size] - rows[y][x - 1]) / (2 * texel) * strength
+        slope_y = (rows[(y + 1) % size][x] - rows[y - 1][x]) / (2 * texel) * strength
+        length = math.sqrt(slope_x ** 2 + slope_y ** 2 + 1.0)
+        # Green points up in the picture, against v.
+        return tuple(0.5 + 0.5 * n / length for n in (-slope_x, slope_y, 1.0))
+    return png(size, size, pixel)
 
 
 def contact_shadow(x, z, blobs):

@@ -44,3 +44,23 @@ def turn_y(degrees):
     """The quaternion of a rotation about +Y."""
     half = math.radians(degrees) / 2.0
     return [0.0, math.sin(half), 0.0, math.cos(half)]
+
+
+def turn(axis, degrees):
+    """The quaternion of a rotation about a unit vector."""
+    half = math.radians(degrees) / 2.0
+    return [*scale(axis, math.sin(half)), math.cos(half)]
+
+
+def after(second, first):
+    """The quaternion of the rotation `first`, then `second`."""
+    a, b = second[:3], first[:3]
+    vector = add(add(scale(b, second[3]), scale(a, first[3])), cross(a, b))
+    return [*vector, second[3] * first[3] - dot(a, b)]
+
+
+def rotate(quaternion, v):
+    """`v` turned by a unit quaternion."""
+    axis, w = quaternion[:3], quaternion[3]
+    twice = scale(cross(axis, v), 2.0)
+    return add(add(v, scale(twice, w)), cross(axis, twice))
