@@ -10,29 +10,57 @@ set(POLYLUME_GLSL_FILES
     brdf/ggx.glsl
     brdf/oren_nayar.glsl
     lighting/area.glsl
+    lighting/flat.glsl
     lighting/light.glsl
+    lighting/light_image.glsl
+    lighting/lobes.glsl
     lighting/punctual.glsl
+    lighting/round.glsl
     lighting/shade.glsl
     lighting/sheen.glsl
+    lighting/textured.glsl
+    ltc/cone.glsl
+    ltc/cone_arcs.glsl
+    ltc/cone_section.glsl
+    ltc/convex.glsl
+    ltc/disk.glsl
     ltc/edge.glsl
+    ltc/ellipse.glsl
+    ltc/footprint.glsl
     ltc/frame.glsl
     ltc/lobe.glsl
+    ltc/moments.glsl
     ltc/parallelogram.glsl
     ltc/polygon.glsl
+    ltc/seen_parallelogram.glsl
+    ltc/seen_polygon.glsl
+    ltc/sphere.glsl
+    ltc/triangle.glsl
+    ltc/tube.glsl
+    ltc/tube_clip.glsl
+    ltc/tube_outline.glsl
+    ltc/tube_strip.glsl
     passes/accumulate.frag
     passes/blend.frag
     passes/emitter.frag
     passes/emitter.vert
+    passes/emitter_solid.frag
+    passes/emitter_solid.vert
     passes/fullscreen.vert
     passes/gbuffer.frag
+    passes/light_image.frag
+    passes/light_image_average.frag
+    passes/light_image_fill.frag
     passes/lighting.frag
     passes/mesh.vert
     shared/camera_data.h
     shared/emitter_data.h
     shared/instance_data.h
     shared/light_data.h
+    shared/light_texture_data.h
     shared/material_data.h
     shared/types.h
+    surface/emitting_surface.glsl
     surface/gbuffer_read.glsl
     surface/gbuffer_write.glsl
     surface/material.glsl

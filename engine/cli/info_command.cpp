@@ -5,8 +5,12 @@
 
 #include <fmt/format.h>
 
+#include "cli/scene_report.hpp"
+#include "cli/terminal.hpp"
 #include "cli/version.hpp"
 #include "context/context.hpp"
+#include "scene/emissive_lights.hpp"
+#include "scene/gltf_reader.hpp"
 
 namespace polylume::cli {
 namespace {
@@ -29,11 +33,19 @@ void printAttempt(const ContextAttempt& attempt) {
     for (const auto& [name, value] : attempt.limits) printField(name, value);
 }
 
-}  // namespace
-
-void runInfo() {
+void printContexts() {
     fmt::print("Polylume {}\n", kVersion);
     for (const ContextAttempt& attempt : probeContexts()) printAttempt(attempt);
+}
+
+}  // namespace
+
+void run(const InfoCommand& command) {
+    if (command.scene.empty()) return printContexts();
+    ProgressBar progress("reading");
+    scene::Scene scene = scene::readGltf(command.scene, progress);
+    if (command.emissiveLights) scene::addEmissiveLights(scene);
+    fmt::print("{}", describeScene(scene));
 }
 
 }  // namespace polylume::cli

@@ -10,7 +10,7 @@
 #include "cli/compare_options.hpp"
 #include "cli/figures_options.hpp"
 #include "cli/fit_options.hpp"
-#include "cli/info_command.hpp"
+#include "cli/info_options.hpp"
 #include "cli/reference_options.hpp"
 #include "cli/render_options.hpp"
 #include "cli/table_options.hpp"
@@ -40,10 +40,10 @@ int runMain(int argc, char** argv) {
     CompareCommand compare;
     FiguresCommand figures;
     FitCommand fit;
+    InfoCommand info;
     const CLI::App* renderApp = addRenderCommand(app, render);
     const CLI::App* referenceApp = addReferenceCommand(app, reference);
-    const CLI::App* infoApp =
-        app.add_subcommand("info", "List the OpenGL contexts that can be had here");
+    const CLI::App* infoApp = addInfoCommand(app, info);
     const CLI::App* compareApp = addCompareCommand(app, compare);
     const CLI::App* figuresApp = addFiguresCommand(app, figures);
     const CLI::App* fitApp = addFitCommand(app, fit);
@@ -64,7 +64,7 @@ int runMain(int argc, char** argv) {
         if (compareApp->parsed() && !run(compare)) return kFailed;
         if (figuresApp->parsed()) run(figures);
         if (fitApp->parsed()) run(fit);
-        if (infoApp->parsed()) runInfo();
+        if (infoApp->parsed()) run(info);
         if (tableWork) tableWork();
     } catch (const std::exception& error) {
         fmt::print(stderr, "polylume: error: {}\n", error.what());

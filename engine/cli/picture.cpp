@@ -14,6 +14,7 @@
 #include "core/error.hpp"
 #include "image/image_io.hpp"
 #include "scene/default_lighting.hpp"
+#include "scene/emissive_lights.hpp"
 #include "scene/framing.hpp"
 #include "scene/gltf_reader.hpp"
 #include "scene/merge.hpp"
@@ -40,6 +41,7 @@ scene::Scene readScene(const PictureRequest& request) {
     const std::future<void> library = std::async(std::launch::async, loadImageLibrary);
     ProgressBar progress("reading");
     scene::Scene scene = scene::readGltf(request.scene, progress);
+    if (request.emissiveLights) scene::addEmissiveLights(scene);
     if (!request.lights.empty()) scene::addLightsFrom(scene, scene::readGltfLights(request.lights));
     return scene;
 }

@@ -21,12 +21,13 @@ struct PictureRequest {
     std::filesystem::path output;    ///< .exr or .png
     std::string camera;              ///< Name or index; empty: the first.
     std::filesystem::path lights;    ///< Empty: the scene's own.
+    bool emissiveLights = false;     ///< Emissive surfaces of the scene become lights.
     std::optional<double> exposure;  ///< EV; none: automatic.
     ToneMap toneMap = ToneMap::aces;
 };
 
-/// The scene, with the lights of the other file where one is named. The image library is loaded
-/// meanwhile.
+/// The scene, with the lights that its emissive surfaces make where they are asked for, and those
+/// of the other file where one is named. The image library is loaded meanwhile.
 scene::Scene readScene(const PictureRequest& request);
 
 /// Puts a camera for pictures of `size` pixels and lights where the scene has none, and says so.

@@ -103,6 +103,8 @@ void addPictureFlags(CLI::App& app, PictureRequest& request, ViewOptions& option
     app.add_option("--lights", request.lights,
                    "Take lights, and the camera where the scene has none, from another glTF file")
         ->option_text("FILE");
+    app.add_flag("--emissive-lights", request.emissiveLights,
+                 "Make polygon lights of the scene's emissive surfaces, one of each flat patch");
     addParsed(app, "--aov", options.aovs, parseAovs,
               fmt::format("Add layers to an EXR: all, or some of {}", fmt::join(aovNames(), ",")))
         ->option_text("NAMES");

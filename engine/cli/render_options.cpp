@@ -17,6 +17,7 @@ CLI::App* addRenderCommand(CLI::App& app, RenderCommand& command) {
         "20,20,22\n"
         "  polylume render model.gltf --lights samples/scenes/studio.glb -o model.exr --aov "
         "normal,depth\n"
+        "  polylume render lamp.gltf --emissive-lights -o lamp.png\n"
         "\n"
         "EXR holds linear radiance in nits; PNG is exposed, tone-mapped and sRGB-encoded.\n"
         "A scene without a camera or without a light gets one that fits it.");

@@ -12,6 +12,7 @@
 #include "figures/comparison_panel.hpp"
 #include "figures/comparison_scenes.hpp"
 #include "figures/partial_progress.hpp"
+#include "figures/shape_scenes.hpp"
 
 namespace polylume::figures {
 namespace {
@@ -159,6 +160,45 @@ Figure makeQualityFigure(const FigureFolder& folder, PictureMaker& maker, bool q
                 makeRow({fmt::format("{:.2f}", all[i]), two ? "2" : "1"}, comparison));
         }
         figure.panels.push_back(panel);
+    }
+    figure.tables.push_back(table);
+    return figure;
+}
+
+Figure makeShapeFigure(const FigureFolder& folder, PictureMaker& maker, bool quick,
+                       Progress& progress) {
+    constexpr double kRoughness = 0.2;
+    Figure figure;
+    figure.name = "shapes";
+    figure.title = "Every shape of light";
+    figure.columns = 2;
+    figure.caption = {fmt::format(
+        "The floor of roughness {:.2f} under one light of each shape, of 1000 nits or of a picture "
+        "of as many at most, with the table of one lobe. The light is in none of the compared "
+        "pictures; the last picture of each panel shows it as the camera sees it. Sliders, colours "
+        "and columns are those of the floor's figure. Beside the light's mirror image the floor is "
+        "nearly dark: the relative difference there is of hardly any light, and the root mean "
+        "square, which weighs by light, tells more.",
+        kRoughness)};
+    DataTable table = startTable("Errors and costs by shape", {"light"});
+    std::vector<ShapeCase> cases = shapeCases(kRoughness);
+    if (quick) std::erase_if(cases, [](const auto& c) { return !c.shownQuick; });
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        PartialProgress part(progress, i, cases.size());
+        Comparison comparison;
+        comparison.name = cases[i].name;
+        comparison.title = cases[i].title;
+        const TracedPicture truth = maker.trace(cases[i].scene, 1, part);
+        comparison.truth = &truth;
+        comparison.ltc = maker.drawLtc(cases[i].scene, Quality::standard, true);
+        comparison.errors = measureErrors(comparison.ltc.image, truth.image);
+        Panel panel = makePanel(folder, comparison);
+        panel.pictures.emplace_back(
+            "LTC with the light",
+            writeWithLight(folder, comparison, maker.drawWithLight(cases[i].scene)));
+        panel.note = cases[i].description + " " + panel.note;
+        figure.panels.push_back(panel);
+        table.rows.push_back(makeRow({cases[i].title}, comparison));
     }
     figure.tables.push_back(table);
     return figure;

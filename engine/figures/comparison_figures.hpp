@@ -23,4 +23,8 @@ Figure makeFailureFigure(const FigureFolder& folder, PictureMaker& maker, bool q
 Figure makeQualityFigure(const FigureFolder& folder, PictureMaker& maker, bool quick,
                          Progress& progress);
 
+/// shapeCases().
+Figure makeShapeFigure(const FigureFolder& folder, PictureMaker& maker, bool quick,
+                       Progress& progress);
+
 }  // namespace polylume::figures

@@ -70,6 +70,12 @@ Picture writeTruth(const FigureFolder& folder, const Comparison& comparison) {
                          comparison.title + ", ray-traced");
 }
 
+Picture writeWithLight(const FigureFolder& folder, const Comparison& comparison,
+                       const FloatImage& withLight) {
+    return folder.addPng(comparison.name + "_light", shown(withLight, comparison.truth->image),
+                         comparison.title + ", the floor and the light itself");
+}
+
 void addComparison(Panel& panel, const FigureFolder& folder, const Comparison& comparison,
                    const Picture& truth, const std::string& label) {
     const FloatImage& image = comparison.ltc.image;

@@ -29,6 +29,10 @@ struct Comparison {
 /// brightest half percent of the pixels, then cut.
 Picture writeTruth(const FigureFolder& folder, const Comparison& comparison);
 
+/// Writes NAME_light.png, a picture of the scene with its light, as bright as the truth's.
+Picture writeWithLight(const FigureFolder& folder, const Comparison& comparison,
+                       const FloatImage& withLight);
+
 /// Adds the pair LTC and truth and their difference to `panel` and writes their files: NAME.png and
 /// .exr, NAME_difference.png. `label` says what the LTC picture is.
 void addComparison(Panel& panel, const FigureFolder& folder, const Comparison& comparison,

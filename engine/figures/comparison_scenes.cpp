@@ -39,14 +39,10 @@ scene::Mesh makeFloor() {
 }
 
 scene::AreaLight makeLight(const Wall& wall) {
-    scene::AreaLight light;
-    light.name = "wall";
-    light.center = wall.center;
     // Half a turn around y, since lights emit towards their -Z.
-    light.worldFromLight = glm::mat3(-1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, -1.0f);
-    light.size = wall.size;
-    light.radiance = glm::vec3(kRadiance);
-    return light;
+    const glm::mat3 toFront(-1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, -1.0f);
+    return {"wall", scene::makeRectangle({wall.center, toFront}, wall.size, glm::vec3(kRadiance)),
+            "comparison scene"};
 }
 
 scene::Scene makeScene(double roughness, const Wall& wall, const Sight& sight) {

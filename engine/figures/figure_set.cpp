@@ -48,6 +48,7 @@ class FigureSet {
         const FigureFolder folder(options_.directory, name, metadata);
         if (name == "floor") return makeFloorFigure(folder, maker, quick, progress);
         if (name == "failures") return makeFailureFigure(folder, maker, quick, progress);
+        if (name == "shapes") return makeShapeFigure(folder, maker, quick, progress);
         return makeQualityFigure(folder, maker, quick, progress);
     }
 
@@ -92,7 +93,7 @@ class FigureSet {
 }  // namespace
 
 std::vector<std::string_view> figureNames() {
-    return {"invariance", "floor", "failures", "quality", "jacobian"};
+    return {"invariance", "floor", "shapes", "failures", "quality", "jacobian"};
 }
 
 void makeFigures(const FigureSetOptions& options, Progress& progress) {

@@ -62,6 +62,14 @@ LtcPicture PictureMaker::drawLtc(const scene::Scene& scene, Quality quality, boo
     return picture;
 }
 
+FloatImage PictureMaker::drawWithLight(const scene::Scene& scene) {
+    RenderOptions options;
+    setView(options, settings_);
+    options.hideLights = false;
+    Progress unheard;
+    return renderScene(*context_, library_, scene, scene.cameras.front(), options, unheard).image;
+}
+
 TracedPicture PictureMaker::trace(const scene::Scene& scene, int pathFactor,
                                   Progress& progress) const {
     reference::ReferenceOptions options;

@@ -39,7 +39,7 @@ struct TracedPicture {
 };
 
 /// Makes the pictures that are compared: by linearly transformed cosines in OpenGL, and by ray
-/// tracing the BRDF. Neither has shadows, neither shows the light.
+/// tracing the BRDF. Neither has shadows, and those that are compared do not show the light.
 class PictureMaker {
   public:
     /// Makes a context and makes it current. Throws ContextError.
@@ -50,6 +50,8 @@ class PictureMaker {
 
     /// `scene` as its first camera sees it. `frameSeconds` is 0 unless `timed`.
     LtcPicture drawLtc(const scene::Scene& scene, Quality quality, bool timed);
+    /// The same, and the lights themselves.
+    FloatImage drawWithLight(const scene::Scene& scene);
     /// With `pathFactor` times the paths of the settings.
     TracedPicture trace(const scene::Scene& scene, int pathFactor, Progress& progress) const;
 

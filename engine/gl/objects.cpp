@@ -78,6 +78,15 @@ Texture Texture::array(const Functions& gl, GLenum format, glm::ivec2 size, int 
     return texture;
 }
 
+BufferTexture::BufferTexture(const Functions& gl, GLenum format, const Buffer& buffer,
+                             const char* label)
+    : handle_(gl, createName([&](GLsizei count, GLuint* names) {
+                  gl.CreateTextures(GL_TEXTURE_BUFFER, count, names);
+              })) {
+    gl.ObjectLabel(GL_TEXTURE, name(), -1, label);
+    gl.TextureBuffer(name(), format, buffer.name());
+}
+
 void Texture::upload(GLenum format, GLenum type, const void* pixels) {
     const Functions& gl = handle_.functions();
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);

@@ -74,6 +74,18 @@ class Texture {
     int layerCount_ = 0;  ///< 0 where it is no array.
 };
 
+/// A buffer's contents as texels (GL_TEXTURE_BUFFER). The buffer outlives it.
+class BufferTexture {
+  public:
+    BufferTexture() = default;
+    BufferTexture(const Functions& gl, GLenum format, const Buffer& buffer, const char* label);
+    GLuint name() const { return handle_.name(); }
+
+  private:
+    static void destroy(const Functions& gl, GLuint name) { gl.DeleteTextures(1, &name); }
+    Handle<&BufferTexture::destroy> handle_;
+};
+
 /// How a texture is filtered and wrapped.
 class SamplerObject {
   public:

@@ -11,6 +11,7 @@
 #include "gl/shader_library.hpp"
 #include "lighting/gbuffer_layout.hpp"
 #include "lighting/light_packing.hpp"
+#include "lighting/light_texture_array.hpp"
 #include "lighting/table_texture.hpp"
 #include "lights/light.hpp"
 #include "lights/lighting_model.hpp"
@@ -34,6 +35,18 @@ class LightingPass {
     /// old ones.
     void setLights(const LightSet& lights);
 
+    /// Takes a new image for the texture of `polygon`, an index into the LightSet::polygons of the
+    /// last setLights(): level 0 of a GL_TEXTURE_2D of the caller's, of any format that filters,
+    /// linear factors of the radiance, its first row the image's upper one. It is filtered anew
+    /// on the GPU, wrapped as the light's texture is; nothing is allocated, and the texture is not
+    /// needed any more. For animation: call it each frame before draw(). Throws Error where that
+    /// light has no texture, or no area.
+    void updateLightTexture(std::size_t polygon, GLuint texture);
+
+    /// The same from texels, checked as setLights() checks them. Allocates only where the size is
+    /// another than that of the last image.
+    void updateLightTexture(std::size_t polygon, const LightImage& image);
+
     /// `Lobes::all` at first: diffuse and specular reflection and emission. One reflection alone
     /// comes without emission; sheen goes with the specular one.
     void setLobes(Lobes lobes);
@@ -55,6 +68,8 @@ class LightingPass {
   private:
     std::vector<std::string> makeDefines() const;
     void uploadSettings();
+    void uploadLightTextures();
+    std::size_t imageLayer(std::size_t polygon) const;
 
     const gl::Functions& gl_;
     const gl::ShaderLibrary& library_;
@@ -69,7 +84,13 @@ class LightingPass {
     gl::Buffer parallelograms_;
     gl::Buffer polygons_;
     gl::Buffer polygonVertices_;
+    gl::BufferTexture polygonVertexTexels_;
     gl::Buffer punctuals_;
+    gl::Buffer ellipses_;
+    gl::Buffer spheres_;
+    gl::Buffer tubes_;
+    LightTextureArray lightImages_;
+    gl::Buffer lightTextures_;
     gl::Program program_;
     gl::VertexArray noVertices_;
 };

@@ -9,6 +9,8 @@
 #include "core/error.hpp"
 #include "core/limits.hpp"
 #include "core/text.hpp"
+#include "lights/polygon_check.hpp"
+#include "lights/texture_check.hpp"
 
 namespace polylume {
 namespace {
@@ -29,6 +31,13 @@ void checkPower(const glm::vec3& power, std::string_view name, std::string_view 
 
 void checkPolygon(const PolygonLight& light, std::size_t index) {
     checkPower(light.radiance, "radiance", "polygon", index);
+    std::size_t vertexCount = 0;
+    for (const auto& contour : light.contours) vertexCount += contour.size();
+    if (vertexCount > kMostPolygonVertices) {
+        throw Error(concat("expected polygon light ", index, " to have at most ",
+                           kMostPolygonVertices, " vertices, found ", vertexCount,
+                           ": leave some out or split it"));
+    }
     if (light.contours.empty()) {
         throw Error(concat("expected polygon light ", index, " to have a contour, found none"));
     }
@@ -44,12 +53,31 @@ void checkPolygon(const PolygonLight& light, std::size_t index) {
             }
         }
     }
+    checkContours(light, index);
+    checkLightTexture(light, index);
 }
 
 void checkEllipse(const EllipseLight& light, std::size_t index) {
     checkPower(light.radiance, "radiance", "ellipse", index);
     if (isFinite(light.center) && isFinite(light.halfAxisX) && isFinite(light.halfAxisY)) return;
     throw Error(concat("expected a finite centre and finite half axes of ellipse light ", index));
+}
+
+void checkSphere(const SphereLight& light, std::size_t index) {
+    checkPower(light.radiance, "radiance", "sphere", index);
+    if (isFinite(light.center) && light.radius >= 0.0f && std::isfinite(light.radius)) return;
+    throw Error(concat("expected a finite centre and a finite radius of 0 or more of sphere light ",
+                       index, ", found a radius of ", light.radius));
+}
+
+void checkTube(const TubeLight& light, std::size_t index) {
+    checkPower(light.radiance, "radiance", "tube", index);
+    if (isFinite(light.start) && isFinite(light.end) && light.radius >= 0.0f &&
+        std::isfinite(light.radius)) {
+        return;
+    }
+    throw Error(concat("expected finite ends and a finite radius of 0 or more of tube light ",
+                       index, ", found a radius of ", light.radius));
 }
 
 void checkPunctual(const PunctualLight& light, std::size_t index) {
@@ -68,6 +96,8 @@ void checkEach(const std::vector<Light>& lights, const Check& check) {
 void checkLights(const LightSet& lights) {
     checkEach(lights.polygons, checkPolygon);
     checkEach(lights.ellipses, checkEllipse);
+    checkEach(lights.spheres, checkSphere);
+    checkEach(lights.tubes, checkTube);
     checkEach(lights.punctuals, checkPunctual);
 }
 

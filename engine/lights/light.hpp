@@ -5,17 +5,33 @@
 
 #include <cmath>
 #include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
+#include "lights/light_image.hpp"
+
 namespace polylume {
+
+/// How far off its plane a vertex of a polygon light may lie, as a share of the light's extent (the
+/// largest distance of a vertex from the first). Rounding of coordinates in float comes on top.
+inline constexpr double kPlanarTolerance = 1e-3;
+
+/// The most vertices that all contours of a polygon light may have together.
+inline constexpr std::size_t kMostPolygonVertices = 65'536;
 
 /// A planar Lambertian emitter of any outline.
 struct PolygonLight {
     /// World positions. The first contour is the outline, counter-clockwise seen from the emitting
-    /// side; the others are holes and turn the other way. Contours are simple and do not cross.
+    /// side; the others are holes inside it, outside each other, and turn the other way. Contours
+    /// may touch themselves and each other, in vertices and edges, but do not cross; a vertex may
+    /// be repeated. An outline without area is no light, and nothing else is asked of it.
     std::vector<std::vector<glm::vec3>> contours;
     glm::vec3 radiance{1000.0f};  ///< Nits per channel.
     bool twoSided = false;
+    /// What the radiance is multiplied with from point to point; none: it is even.
+    std::optional<LightTexture> texture{};
+    /// The camera does not see the light itself, since an emissive surface in its place shows it.
+    bool shownBySurface = false;
 };
 
 /// A flat Lambertian emitter with the outline of an ellipse or a disk.
@@ -24,6 +40,25 @@ struct EllipseLight {
     /// Half axes, at right angles; emits toward cross(halfAxisX, halfAxisY).
     glm::vec3 halfAxisX{0.5f, 0.0f, 0.0f};
     glm::vec3 halfAxisY{0.0f, 0.5f, 0.0f};
+    glm::vec3 radiance{1000.0f};  ///< Nits per channel.
+    bool twoSided = false;
+};
+
+/// A ball that emits evenly from its surface. A point inside gets no light of it, or with
+/// `twoSided` light from everywhere.
+struct SphereLight {
+    glm::vec3 center{0.0f};
+    float radius = 0.5f;          ///< Metres.
+    glm::vec3 radiance{1000.0f};  ///< Nits per channel.
+    bool twoSided = false;
+};
+
+/// A capsule: all points within `radius` of the line from `start` to `end`, round caps included.
+/// Emits evenly from its surface; inside as SphereLight.
+struct TubeLight {
+    glm::vec3 start{-0.5f, 0.0f, 0.0f};
+    glm::vec3 end{0.5f, 0.0f, 0.0f};
+    float radius = 0.01f;         ///< Metres. A line of light is a tube that is thin.
     glm::vec3 radiance{1000.0f};  ///< Nits per channel.
     bool twoSided = false;
 };
@@ -45,10 +80,14 @@ struct LightSet {
     std::vector<PolygonLight> polygons;
     std::vector<PunctualLight> punctuals;
     std::vector<EllipseLight> ellipses{};
+    std::vector<SphereLight> spheres{};
+    std::vector<TubeLight> tubes{};
 };
 
 /// Throws Error that names the light by its index where a value is not finite, a radiance or
-/// intensity is negative or over kLargestEmission, or a contour has fewer than three vertices.
+/// intensity is negative or over kLargestEmission, or where the contours of a polygon light have
+/// fewer than three or too many vertices, are not planar (kPlanarTolerance), cross, or where holes
+/// turn as the outline does or lie outside it, or where its texture is not as LightTexture says.
 void checkLights(const LightSet& lights);
 
 /// Twice the area of a contour, along the normal of the side from which it turns counter-clockwise.

@@ -3,121 +3,62 @@
 
 #include "reference/area_emitter.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace polylume::reference {
 namespace {
 
-/// Sides of the polygon around an ellipse that is sampled in its place; 1.3 % of the samples miss.
-constexpr int kEllipseSides = 16;
-
-bool isRectangle(const PolygonLight& light) {
-    if (light.contours.size() != 1 || light.contours.front().size() != 4) return false;
-    const std::vector<glm::vec3>& c = light.contours.front();
-    const glm::dvec3 x = glm::dvec3(c[1]) - glm::dvec3(c[0]);
-    const glm::dvec3 y = glm::dvec3(c[3]) - glm::dvec3(c[0]);
-    const glm::dvec3 gap = glm::dvec3(c[2]) - glm::dvec3(c[1]) - y;
-    const double size = std::max(glm::length(x), glm::length(y));
-    // Corners rounded to float are off by their distance from the origin.
-    const double rounding = 1e-6 * size + 2e-7 * glm::length(glm::dvec3(c[2]));
-    return glm::length(gap) <= rounding &&
-           std::abs(glm::dot(x, y)) <= rounding * std::max(glm::length(x), glm::length(y));
+bool isWithin(const Ray& ray, double distance) {
+    return distance >= ray.nearest && distance <= ray.farthest && distance > 0.0;
 }
 
-AreaEmitter emitterOf(const PolygonLight& light) {
-    AreaEmitter emitter;
-    const std::vector<glm::vec3>& outline = light.contours.front();
-    const glm::dvec3 normal = areaVector(outline);
-    const double length = glm::length(normal);
-    if (!(length > 0.0)) return emitter;
-    emitter.normal = normal / length;
-    emitter.radiance = light.radiance;
-    emitter.twoSided = light.twoSided;
-    emitter.origin = outline.front();
-    if (isRectangle(light)) {
-        emitter.shape = AreaEmitter::Shape::rectangle;
-        emitter.axisX = glm::dvec3(outline[1]) - emitter.origin;
-        emitter.axisY = glm::dvec3(outline[3]) - emitter.origin;
-        emitter.parts = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
-        emitter.area = glm::length(emitter.axisX) * glm::length(emitter.axisY);
-        return emitter;
-    }
-    const glm::dvec3 helper =
-        std::abs(emitter.normal.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-    emitter.axisX = glm::normalize(glm::cross(helper, emitter.normal));
-    emitter.axisY = glm::cross(emitter.normal, emitter.axisX);
-    for (const std::vector<glm::vec3>& contour : light.contours) {
-        PlanarContour& planar = emitter.contours.emplace_back();
-        for (const glm::vec3& vertex : contour) {
-            const glm::dvec3 offset = glm::dvec3(vertex) - emitter.origin;
-            planar.emplace_back(glm::dot(offset, emitter.axisX), glm::dot(offset, emitter.axisY));
-        }
-    }
-    emitter.parts = convexParts(emitter.contours);
-    for (const PlanarContour& part : emitter.parts) emitter.area += area(part);
-    return emitter;
+std::optional<EmitterHit> intersectEmitter(const FlatEmitter& emitter, const Ray& ray) {
+    if (!emitter.emitsToward(-ray.direction)) return std::nullopt;
+    const std::optional<double> distance = emitter.intersect(ray.origin, ray.direction);
+    if (!distance || !isWithin(ray, *distance)) return std::nullopt;
+    const double side = glm::dot(emitter.normal, ray.direction) < 0.0 ? 1.0 : -1.0;
+    const glm::dvec3 point = ray.origin + *distance * ray.direction - emitter.origin;
+    const glm::dvec2 planar = planarCoordinates(point, emitter.axisX, emitter.axisY);
+    return EmitterHit{*distance, side * emitter.normal, emitter.radianceAt(planar)};
 }
 
-AreaEmitter emitterOf(const EllipseLight& light) {
-    AreaEmitter emitter;
-    emitter.shape = AreaEmitter::Shape::ellipse;
-    emitter.origin = light.center;
-    emitter.axisX = light.halfAxisX;
-    emitter.axisY = light.halfAxisY;
-    const glm::dvec3 normal = glm::cross(emitter.axisX, emitter.axisY);
-    const double length = glm::length(normal);
-    if (!(length > 0.0)) return emitter;
-    emitter.normal = normal / length;
-    emitter.radiance = light.radiance;
-    emitter.twoSided = light.twoSided;
-    emitter.area = std::numbers::pi * length;
-    const double step = 2.0 * std::numbers::pi / kEllipseSides;
-    PlanarContour& part = emitter.parts.emplace_back();
-    for (int i = 0; i < kEllipseSides; ++i) {
-        part.push_back(glm::dvec2(std::cos(step * i), std::sin(step * i)) / std::cos(0.5 * step));
+std::optional<EmitterHit> intersectEmitter(const SolidEmitter& emitter, const Ray& ray) {
+    SolidEmitter seen = emitter;
+    seen.start -= ray.origin;
+    const double length = glm::length(ray.direction);
+    const glm::dvec3 direction = ray.direction / length;
+    const std::optional<Chord> chord = seen.chord(direction);
+    if (!chord) return std::nullopt;
+    if (isWithin(ray, chord->enter / length)) {
+        return EmitterHit{chord->enter / length, seen.normalAt(chord->enter * direction),
+                          emitter.radiance};
     }
-    return emitter;
-}
-
-template <typename Light>
-void append(std::vector<AreaEmitter>& emitters, const std::vector<Light>& lights) {
-    for (const Light& light : lights) {
-        AreaEmitter emitter = emitterOf(light);
-        if (emitter.area > 0.0) emitters.push_back(std::move(emitter));
-    }
+    if (!emitter.twoSided || !isWithin(ray, chord->leave / length)) return std::nullopt;
+    return EmitterHit{chord->leave / length, -seen.normalAt(chord->leave * direction),
+                      emitter.radiance};
 }
 
 }  // namespace
 
-bool AreaEmitter::contains(const glm::dvec2& planar) const {
-    switch (shape) {
-        case Shape::rectangle:
-            return planar.x >= 0.0 && planar.x <= 1.0 && planar.y >= 0.0 && planar.y <= 1.0;
-        case Shape::ellipse:
-            return glm::dot(planar, planar) <= 1.0;
-        case Shape::polygon:
-            break;
-    }
-    return isInside(contours, planar);
-}
-
-std::optional<double> AreaEmitter::intersect(const glm::dvec3& rayOrigin,
-                                             const glm::dvec3& direction) const {
-    const glm::dvec3 offset = origin - rayOrigin;
-    const double distance = glm::dot(offset, normal) / glm::dot(direction, normal);
-    if (!(distance > 0.0) || !std::isfinite(distance)) return std::nullopt;
-    const glm::dvec3 point = distance * direction - offset;
-    return contains(planarCoordinates(point, axisX, axisY)) ? std::optional(distance)
-                                                            : std::nullopt;
-}
-
 std::vector<AreaEmitter> areaEmitters(const LightSet& lights) {
     std::vector<AreaEmitter> emitters;
-    append(emitters, lights.polygons);
-    append(emitters, lights.ellipses);
+    const auto addFlat = [&](const auto& light) {
+        FlatEmitter emitter = flatEmitter(light);
+        if (emitter.area > 0.0) emitters.emplace_back(std::move(emitter));
+    };
+    const auto addSolid = [&](const auto& light) {
+        const SolidEmitter emitter = solidEmitter(light);
+        if (emitter.radius > 0.0) emitters.emplace_back(emitter);
+    };
+    for (const PolygonLight& light : lights.polygons) addFlat(light);
+    for (const EllipseLight& light : lights.ellipses) addFlat(light);
+    for (const SphereLight& light : lights.spheres) addSolid(light);
+    for (const TubeLight& light : lights.tubes) addSolid(light);
     return emitters;
+}
+
+std::optional<EmitterHit> intersect(const AreaEmitter& emitter, const Ray& ray) {
+    return std::visit([&](const auto& light) { return intersectEmitter(light, ray); }, emitter);
 }
 
 }  // namespace polylume::reference

@@ -5,52 +5,30 @@
 
 #include <glm/glm.hpp>
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "lights/light.hpp"
-#include "reference/planar_outline.hpp"
+#include "reference/camera_rays.hpp"
+#include "reference/flat_emitter.hpp"
+#include "reference/solid_emitter.hpp"
 
 namespace polylume::reference {
 
-/// Where `point`, from an origin in the plane of two axes at right angles, lies along them in their
-/// lengths.
-inline glm::dvec2 planarCoordinates(const glm::dvec3& point, const glm::dvec3& axisX,
-                                    const glm::dvec3& axisY) {
-    return {glm::dot(point, axisX) / glm::dot(axisX, axisX),
-            glm::dot(point, axisY) / glm::dot(axisY, axisY)};
-}
-
-/// A flat light, prepared for being hit by rays and sampled. Points of its plane are
-/// origin + x axisX + y axisY.
-struct AreaEmitter {
-    enum class Shape { rectangle, polygon, ellipse };
-
-    Shape shape = Shape::polygon;
-    glm::dvec3 origin{0.0};
-    /// Of a rectangle its edges, of an ellipse its half axes, else unit; at right angles.
-    glm::dvec3 axisX{1.0, 0.0, 0.0}, axisY{0.0, 1.0, 0.0};
-    glm::dvec3 normal{0.0, 0.0, 1.0};  ///< Unit, to the emitting side.
-    double area = 0.0;
-    glm::dvec3 radiance{0.0};  ///< Nits.
-    bool twoSided = false;
-    std::vector<PlanarContour> contours;  ///< Of a polygon.
-    /// Convex, counter-clockwise; cover the shape without overlap, of an ellipse a little more.
-    std::vector<PlanarContour> parts;
-
-    /// Whether `offset` from the light to a point is on a side that it emits to.
-    bool emitsToward(const glm::dvec3& offset) const {
-        const double height = glm::dot(offset, normal);
-        return twoSided ? height != 0.0 : height > 0.0;
-    }
-
-    /// Whether the light has the point of its plane.
-    bool contains(const glm::dvec2& planar) const;
-
-    /// The distance in units of `direction` at which a ray meets the light, from either side.
-    std::optional<double> intersect(const glm::dvec3& rayOrigin, const glm::dvec3& direction) const;
-};
+/// A light with an area, prepared for being hit by rays and sampled.
+using AreaEmitter = std::variant<FlatEmitter, SolidEmitter>;
 
 /// All area lights of `lights` that have an area.
 std::vector<AreaEmitter> areaEmitters(const LightSet& lights);
+
+/// Where a ray sees a light.
+struct EmitterHit {
+    double distance = 0.0;     ///< In units of the ray's direction.
+    glm::dvec3 normal{0.0};    ///< Unit, to the side that is seen.
+    glm::dvec3 radiance{0.0};  ///< Nits.
+};
+
+/// The nearest place within the ray where it meets a side of `emitter` that emits.
+std::optional<EmitterHit> intersect(const AreaEmitter& emitter, const Ray& ray);
 
 }  // namespace polylume::reference

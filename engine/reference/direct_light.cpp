@@ -69,7 +69,7 @@ glm::dvec3 DirectLight::byLight(std::size_t index, const glm::dvec2& random) con
     const Reflected reflected = point_.reflect(sample.direction);
     if (reflected.value == glm::dvec3(0.0)) return glm::dvec3(0.0);
     const double weight = weightedInverse(sample.density, reflected.density);
-    const glm::dvec3 radiance = reflected.value * view.radiance() * weight;
+    const glm::dvec3 radiance = reflected.value * view.radiance(sample) * weight;
     return radiance * visibility(surface_, point_, lighting_, sample.direction, sample.distance);
 }
 
@@ -81,7 +81,7 @@ glm::dvec3 DirectLight::byReflection(const glm::dvec3& direction,
         const LightSample sample = view.find(direction);
         if (!(sample.density > 0.0)) continue;
         const double weight = weightedInverse(reflected.density, sample.density);
-        const glm::dvec3 radiance = reflected.value * view.radiance() * weight;
+        const glm::dvec3 radiance = reflected.value * view.radiance(sample) * weight;
         sum += radiance * visibility(surface_, point_, lighting_, direction, sample.distance);
     }
     return sum;

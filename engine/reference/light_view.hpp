@@ -4,37 +4,18 @@
 #pragma once
 
 #include <glm/glm.hpp>
-#include <optional>
 #include <span>
+#include <variant>
 #include <vector>
 
 #include "reference/area_emitter.hpp"
+#include "reference/flat_view.hpp"
 #include "reference/reference_tracer.hpp"
-#include "reference/spherical_shapes.hpp"
+#include "reference/shading_frame.hpp"
+#include "reference/solid_view.hpp"
+#include "reference/stretched_view.hpp"
 
 namespace polylume::reference {
-
-/// A point and the axes of its shading frame: z = normal, x = view projected on the surface.
-struct ShadingFrame {
-    glm::dvec3 position{0.0};
-    glm::dmat3 worldFromFrame{1.0};
-
-    glm::dvec3 toFrame(const glm::dvec3& direction) const { return direction * worldFromFrame; }
-    glm::dvec3 toWorld(const glm::dvec3& direction) const { return worldFromFrame * direction; }
-};
-
-/// A direction in the shading frame towards a light.
-struct LightSample {
-    glm::dvec3 direction{0.0};  ///< Unit.
-    double distance = 0.0;      ///< To the light; 0: there is none that way.
-    double density = 0.0;       ///< Of the sampling, per steradian.
-};
-
-/// A lobe of the surface's reflection, and how much of it is that lobe.
-struct LobeShape {
-    glm::dmat3 cosineFromLobe{1.0};  ///< M^-1, which makes it a clamped cosine.
-    double chance = 1.0;             ///< Chances add up to 1.
-};
 
 /// What a point sees of one light above its surface. Distributes directions evenly over the light's
 /// solid angle; for a lobe that is no cosine, over the solid angle of the light as M^-1 stretches
@@ -47,9 +28,14 @@ class LightView {
     LightView(const AreaEmitter& emitter, const ShadingFrame& frame,
               std::span<const LobeShape> lobes, LightSampling sampling);
 
+    LightView(AreaEmitter&& emitter, const ShadingFrame& frame, std::span<const LobeShape> lobes,
+              LightSampling sampling) = delete;
+
     /// Nothing of the light reaches the point.
     bool isDark() const { return isDark_; }
-    const glm::dvec3& radiance() const { return emitter_->radiance; }
+
+    /// What the light sends along a sample that found it, in nits.
+    glm::dvec3 radiance(const LightSample& sample) const;
 
     /// A direction from `random` in [0, 1)^2.
     LightSample sample(const glm::dvec2& random) const;
@@ -58,36 +44,20 @@ class LightView {
     LightSample find(const glm::dvec3& direction) const;
 
   private:
-    /// The light as one lobe stretches it.
-    struct Stretched {
-        glm::dmat3 fromFrame{1.0}, toFrame{1.0};
-        double determinant = 1.0;  ///< Of fromFrame.
-        bool isIdentity = false;
-        double chance = 1.0;
-        double solidAngle = 0.0;
-        std::optional<SphericalRectangle> rectangle;  ///< In place of triangles.
-        std::vector<SphericalTriangle> triangles;
+    /// How samples are taken: as the lobes see the light, over its area, or by what its kind has
+    /// for lights that look small.
+    enum class Way { stretched, area, small };
 
-        glm::dvec3 sample(const glm::dvec2& random) const;
-        double density(const glm::dvec3& direction) const;
-    };
+    /// What `function` returns of the light's own view.
+    template <typename Function>
+    auto ask(const Function& function) const;
+    template <typename Light>
+    double density(const Light& light, const glm::dvec3& direction, double distance) const;
 
-    glm::dvec3 pointAt(const glm::dvec2& planar) const {
-        return origin_ + planar.x * axisX_ + planar.y * axisY_;
-    }
-    /// Whether all of the light is above the surface; notes where none is.
-    bool isAboveSurface();
-    void addStretched(const LobeShape& lobe, bool isAbove);
-    glm::dvec2 samplePlane(glm::dvec2 random) const;
-    double distanceTo(const glm::dvec3& direction) const;
-    bool isHit(const glm::dvec3& direction, double distance) const;
-    double density(const glm::dvec3& direction, double distance) const;
-
-    const AreaEmitter* emitter_;
-    glm::dvec3 origin_, axisX_, axisY_, normal_;  ///< In the shading frame.
+    std::variant<FlatView, SolidView> light_;
     bool isDark_ = true;
-    bool byArea_ = false;
-    std::vector<Stretched> stretched_;
+    Way way_ = Way::stretched;
+    std::vector<StretchedView> stretched_;
 };
 
 }  // namespace polylume::reference

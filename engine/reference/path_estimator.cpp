@@ -30,18 +30,14 @@ PathEstimator::PathEstimator(const scene::Scene& scene, const ReferenceOptions& 
     lighting_.sampling = options.lightSampling;
 }
 
-std::optional<double> PathEstimator::nearestEmitter(const Ray& ray,
-                                                    const AreaEmitter*& seen) const {
-    std::optional<double> nearest;
+std::optional<EmitterHit> PathEstimator::nearestEmitter(const Ray& ray) const {
+    std::optional<EmitterHit> nearest;
     if (options_.hideLights) return nearest;
     for (const AreaEmitter& emitter : lighting_.emitters) {
-        if (!emitter.emitsToward(-ray.direction)) continue;
-        const std::optional<double> distance = emitter.intersect(ray.origin, ray.direction);
-        if (!distance || *distance < ray.nearest || *distance > nearest.value_or(ray.farthest)) {
-            continue;
-        }
-        nearest = distance;
-        seen = &emitter;
+        const auto* flat = std::get_if<FlatEmitter>(&emitter);
+        if (flat != nullptr && flat->shownBySurface) continue;
+        const std::optional<EmitterHit> hit = intersect(emitter, ray);
+        if (hit && !(nearest && hit->distance > nearest->distance)) nearest = hit;
     }
     return nearest;
 }
@@ -50,13 +46,12 @@ RayView PathEstimator::look(const Ray& ray) const {
     thread_local std::vector<Hit> hits;
     bool endsOpaque = false;
     scene_.trace(ray, hits, endsOpaque);
-    const AreaEmitter* light = nullptr;
-    std::optional<double> emitter = nearestEmitter(ray, light);
+    std::optional<EmitterHit> emitter = nearestEmitter(ray);
 
     RayView view;
     double left = 1.0;  // Of what lies behind.
     for (std::size_t i = 0; i < hits.size(); ++i) {
-        if (emitter && hits[i].distance >= *emitter) break;
+        if (emitter && hits[i].distance >= emitter->distance) break;
         const bool isOpaque = endsOpaque && i + 1 == hits.size();
         VisibleLayer layer{scene_.surface(ray, hits[i]), 0.0};
         layer.weight = left * (isOpaque ? 1.0 : layer.surface.coverage);
@@ -68,7 +63,7 @@ RayView PathEstimator::look(const Ray& ray) const {
         if (isOpaque) emitter.reset();
     }
     if (emitter) {
-        if (model_.showsEmission) view.emitted += left * light->radiance;
+        if (model_.showsEmission) view.emitted += left * emitter->radiance;
         left = 0.0;
     }
     view.coverage = 1.0 - left;
@@ -83,20 +78,18 @@ SurfacePixel PathEstimator::opaqueSurface(const Ray& ray) const {
     thread_local std::vector<Hit> hits;
     bool endsOpaque = false;
     scene_.trace(ray, hits, endsOpaque);
-    const AreaEmitter* light = nullptr;
-    const std::optional<double> emitter = nearestEmitter(ray, light);
-    if (emitter && !(endsOpaque && hits.back().distance <= *emitter)) {
+    const std::optional<EmitterHit> emitter = nearestEmitter(ray);
+    if (emitter && !(endsOpaque && hits.back().distance <= emitter->distance)) {
         // As glsl/passes/emitter.frag writes it.
-        const double side = glm::dot(light->normal, ray.direction) < 0.0 ? 1.0 : -1.0;
         SurfacePixel surface;
         surface.isSurface = true;
-        surface.positionWorld = ray.origin + *emitter * ray.direction;
-        surface.normalWorld = side * light->normal;
+        surface.positionWorld = ray.origin + emitter->distance * ray.direction;
+        surface.normalWorld = emitter->normal;
         surface.viewWorld = -glm::normalize(ray.direction);
         surface.roughness = 1.0f;
-        surface.emission = light->radiance;
+        surface.emission = emitter->radiance;
         surface.occlusion = 1.0f;
-        surface.distance = static_cast<float>(*emitter);
+        surface.distance = static_cast<float>(emitter->distance);
         return surface;
     }
     return endsOpaque ? scene_.surface(ray, hits.back()) : SurfacePixel{};
@@ -152,7 +145,10 @@ glm::dvec3 PathEstimator::arrivingLight(Ray ray, std::uint64_t seed, std::uint32
         };
         const std::optional<Surface> surface = firstSurface(ray, random(kCoverage).x);
         if (!surface) break;
-        if (model_.showsEmission) sum += throughput * glm::dvec3(surface->emission);
+        // What area lights give off for the surface reaches the vertex before as their light.
+        if (model_.showsEmission && !surface->emissionIsLight) {
+            sum += throughput * glm::dvec3(surface->emission);
+        }
         const ShadedPoint point(*surface, model_);
         if (point.isBlack()) break;
         const DirectLight direct(*surface, point, lighting_);

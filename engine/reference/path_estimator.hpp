@@ -50,8 +50,8 @@ class PathEstimator {
                   std::uint32_t lastPath, Replicates& replicates) const;
 
   private:
-    /// The distance of the area light that is seen first, and the light.
-    std::optional<double> nearestEmitter(const Ray& ray, const AreaEmitter*& seen) const;
+    /// The area light that is seen first.
+    std::optional<EmitterHit> nearestEmitter(const Ray& ray) const;
     /// One path's estimate of the radiance that arrives along `ray` by way of surfaces, the first
     /// of which is the `depth`-th on the way from the camera.
     glm::dvec3 arrivingLight(Ray ray, std::uint64_t seed, std::uint32_t path, int depth) const;

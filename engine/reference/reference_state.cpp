@@ -72,25 +72,54 @@ class Digest {
     std::uint64_t value_ = 0;
 };
 
-void add(Digest& digest, const LightSet& lights) {
-    for (const PolygonLight& light : lights.polygons) {
-        for (const std::vector<glm::vec3>& contour : light.contours) digest.add(contour);
-        digest.add(light.radiance);
-        digest.add(light.twoSided);
+void add(Digest& digest, const LightTexture& texture) {
+    digest.add(texture.image->size.x);
+    digest.add(texture.image->size.y);
+    digest.add(texture.image->texels);
+    for (const glm::vec3& v : {texture.origin, texture.axisU, texture.axisV}) digest.add(v);
+    digest.add(texture.wrapU);
+    digest.add(texture.wrapV);
+}
+
+void add(Digest& digest, const PolygonLight& light) {
+    digest.add(light.contours.size());
+    for (const std::vector<glm::vec3>& contour : light.contours) digest.add(contour);
+    digest.add(light.radiance);
+    digest.add(light.twoSided);
+    digest.add(light.texture.has_value());
+    if (light.texture) add(digest, *light.texture);
+}
+
+void add(Digest& digest, const EllipseLight& light) {
+    for (const glm::vec3& v : {light.center, light.halfAxisX, light.halfAxisY, light.radiance}) {
+        digest.add(v);
     }
-    for (const EllipseLight& light : lights.ellipses) {
-        for (const glm::vec3& v :
-             {light.center, light.halfAxisX, light.halfAxisY, light.radiance}) {
-            digest.add(v);
-        }
-        digest.add(light.twoSided);
-    }
-    for (const PunctualLight& light : lights.punctuals) {
-        digest.add(light.kind);
-        for (const glm::vec3& v : {light.position, light.direction, light.intensity}) digest.add(v);
-        for (const float f : {light.range, light.innerConeAngle, light.outerConeAngle})
-            digest.add(f);
-    }
+    digest.add(light.twoSided);
+}
+
+void add(Digest& digest, const SphereLight& light) {
+    digest.add(light.center);
+    digest.add(light.radius);
+    digest.add(light.radiance);
+    digest.add(light.twoSided);
+}
+
+void add(Digest& digest, const TubeLight& light) {
+    for (const glm::vec3& v : {light.start, light.end, light.radiance}) digest.add(v);
+    digest.add(light.radius);
+    digest.add(light.twoSided);
+}
+
+void add(Digest& digest, const PunctualLight& light) {
+    digest.add(light.kind);
+    for (const glm::vec3& v : {light.position, light.direction, light.intensity}) digest.add(v);
+    for (const float f : {light.range, light.innerConeAngle, light.outerConeAngle}) digest.add(f);
+}
+
+template <typename Light>
+void addAll(Digest& digest, const std::vector<Light>& lights) {
+    digest.add(lights.size());
+    for (const Light& light : lights) add(digest, light);
 }
 
 void add(Digest& digest, const scene::TextureSlot& slot) {
@@ -171,7 +200,11 @@ std::string digestOf(const scene::Camera& camera) {
 
 std::string digestOf(const LightSet& lights) {
     Digest digest;
-    add(digest, lights);
+    addAll(digest, lights.polygons);
+    addAll(digest, lights.ellipses);
+    addAll(digest, lights.spheres);
+    addAll(digest, lights.tubes);
+    addAll(digest, lights.punctuals);
     return concat(std::hex, digest.value());
 }
 
@@ -242,7 +275,7 @@ std::map<std::string, std::string> stateAttributes(const scene::Scene& scene,
     const auto flag = [](bool value) { return value ? "on" : "off"; };
     const auto& background = options.background;
     return {
-        {"version", "2"},
+        {"version", "3"},
         {"scene digest", digestOf(scene)},
         {"camera digest", digestOf(camera)},
         {"lights digest", digestOf(lightsOf(scene, options))},

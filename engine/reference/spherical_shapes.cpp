@@ -115,4 +115,33 @@ glm::dvec3 SphericalRectangle::sample(const glm::dvec2& random) const {
     return x * x_ + y * y_ + z0_ * z_;
 }
 
+glm::dvec3 perpendicular(const glm::dvec3& unit) {
+    const glm::dvec3 helper = std::abs(unit.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    return glm::normalize(glm::cross(helper, unit));
+}
+
+SphericalCap::SphericalCap(const glm::dvec3& axis, double sine, double cosine)
+    : axis_(axis),
+      x_(perpendicular(axis)),
+      y_(glm::cross(axis, x_)),
+      height_(sine * sine / (1.0 + cosine)),
+      solidAngle_(2.0 * kPi * height_) {}
+
+glm::dvec3 SphericalCap::sample(const glm::dvec2& random) const {
+    const double below = random.x * height_;  // 1 - the cosine to the axis.
+    const double sine = safeRoot(below * (2.0 - below));
+    const double azimuth = 2.0 * kPi * random.y;
+    return (1.0 - below) * axis_ + sine * (std::cos(azimuth) * x_ + std::sin(azimuth) * y_);
+}
+
+SphericalBand::SphericalBand(const glm::dmat3& axes, double first, double last, double sine)
+    : axes_(axes), first_(first), last_(last), sine_(sine) {}
+
+glm::dvec3 SphericalBand::sample(const glm::dvec2& random) const {
+    const double azimuth = first_ + random.x * (last_ - first_);
+    const double height = sine_ * (2.0 * random.y - 1.0);
+    const double radius = safeRoot(1.0 - height * height);
+    return axes_ * glm::dvec3(radius * std::cos(azimuth), radius * std::sin(azimuth), height);
+}
+
 }  // namespace polylume::reference

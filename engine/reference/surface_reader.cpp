@@ -145,6 +145,7 @@ Surface SurfaceReader::read(const Ray& ray, const Hit& hit) const {
     surface.roughness = material.roughnessFactor * metallicRoughness.g;
     surface.f0 = lit * glm::mix(dielectric, base, metallic);
     surface.f90 = lit * glm::mix(specular, 1.0f, metallic);
+    surface.emissionIsLight = material.emissionIsLight;
     surface.emission = material.unlit
                            ? glm::max(glm::vec3(color), 0.0f)
                            : material.emissiveFactor * glm::vec3(texture(material.emissive, at));

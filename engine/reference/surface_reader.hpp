@@ -26,6 +26,7 @@ struct Surface : SurfacePixel {
     glm::dvec3 position{0.0};         ///< positionWorld in double.
     glm::dvec3 geometricNormal{0.0};  ///< Unit, on the side that was hit.
     double coverage = 1.0;            ///< Alpha.
+    bool emissionIsLight = false;     ///< As Material has it.
 };
 
 /// Reads materials and textures at hits, as glsl/surface/material.glsl does it at fragments.

@@ -8,6 +8,17 @@
 namespace polylume {
 namespace {
 
+constexpr int kRectangleVertexCount = 4;  // A strip.
+constexpr int kBoxVertexCount = 36;       // Triangles.
+
+/// Two unit vectors, x and y, that turn counter-clockwise seen from where the unit vector `z`
+/// points to.
+glm::mat2x3 axesAcross(const glm::vec3& z) {
+    const glm::vec3 helper = std::abs(z.x) < 0.5f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+    const glm::vec3 x = glm::normalize(glm::cross(helper, z));
+    return {x, glm::cross(z, x)};
+}
+
 shared::EmitterData emitterOf(const shared::ParallelogramData& light) {
     shared::EmitterData data{};
     data.corner = light.corner;
@@ -15,39 +26,99 @@ shared::EmitterData emitterOf(const shared::ParallelogramData& light) {
     data.edgeY = light.edgeY;
     data.normal = light.normal;
     data.radiance = glm::vec4(glm::vec3(light.radiance), light.corner.w);
+    data.vertices.z = shared::kWholeOutline;
     return data;
 }
 
 shared::EmitterData emitterOf(const shared::PolygonData& light,
                               const std::vector<glm::vec4>& vertices) {
     const glm::vec3 normal(light.plane);
-    const glm::vec3 helper = std::abs(normal.x) < 0.5f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
-    const glm::vec3 x = glm::normalize(glm::cross(helper, normal));
-    const glm::vec3 y = glm::cross(normal, x);
+    const glm::mat2x3 axes = axesAcross(normal);
     const glm::vec3 origin(vertices[light.vertices.x]);
     glm::vec2 low(std::numeric_limits<float>::max());
     glm::vec2 high(std::numeric_limits<float>::lowest());
     for (std::uint32_t i = 0; i < light.vertices.y; ++i) {
-        const glm::vec3 offset = glm::vec3(vertices[light.vertices.x + i]) - origin;
-        const glm::vec2 p(glm::dot(offset, x), glm::dot(offset, y));
+        const glm::vec2 p = (glm::vec3(vertices[light.vertices.x + i]) - origin) * axes;
         low = glm::min(low, p);
         high = glm::max(high, p);
     }
     shared::EmitterData data{};
-    data.corner = glm::vec4(origin + low.x * x + low.y * y, 0.0f);
-    data.edgeX = glm::vec4((high.x - low.x) * x, 0.0f);
-    data.edgeY = glm::vec4((high.y - low.y) * y, 0.0f);
+    data.corner = glm::vec4(origin + axes * low, 0.0f);
+    data.edgeX = glm::vec4((high.x - low.x) * axes[0], 0.0f);
+    data.edgeY = glm::vec4((high.y - low.y) * axes[1], 0.0f);
     data.normal = glm::vec4(normal, 0.0f);
     data.radiance = light.radiance;
-    data.vertices = light.vertices;
+    data.vertices = {light.vertices.x, light.vertices.y, shared::kPolygonOutline, 0};
     return data;
 }
 
-std::vector<shared::EmitterData> packEmitters(const PackedLights& lights) {
+shared::EmitterData emitterOf(const shared::EllipseData& light) {
+    shared::EmitterData data{};
+    data.corner = light.center - light.halfAxisX - light.halfAxisY;
+    data.edgeX = 2.0f * light.halfAxisX;
+    data.edgeY = 2.0f * light.halfAxisY;
+    data.normal = light.normal;
+    data.radiance = glm::vec4(glm::vec3(light.radiance), light.center.w);
+    data.vertices.z = shared::kEllipseOutline;
+    return data;
+}
+
+/// All points within `radius` of the line from `start` to `start` + `axis`.
+shared::EmitterData makeSolid(const glm::vec3& start, const glm::vec3& axis, float radius,
+                              const glm::vec4& radiance) {
+    // The box is a little larger, so that rounding cuts off nothing.
+    const float reach = 1.0001f * radius + 1e-6f * (glm::length(start) + glm::length(axis));
+    const float length = glm::length(axis);
+    const glm::vec3 x = length > 0.0f ? axis / length : glm::vec3(1.0f, 0.0f, 0.0f);
+    const glm::mat2x3 across = axesAcross(x);
+    shared::EmitterData data{};
+    data.corner = glm::vec4(start - reach * (x + across[0] + across[1]), 0.0f);
+    data.edgeX = glm::vec4((length + 2.0f * reach) * x, 0.0f);
+    data.edgeY = glm::vec4(2.0f * reach * across[0], 0.0f);
+    data.edgeZ = glm::vec4(2.0f * reach * across[1], 0.0f);
+    data.radiance = radiance;
+    data.start = glm::vec4(start, radius);
+    data.axis = glm::vec4(axis, 0.0f);
+    return data;
+}
+
+/// Leaves out what a surface in its place shows already (PolygonLight::shownBySurface).
+std::vector<shared::EmitterData> packFlat(const PackedLights& lights) {
     std::vector<shared::EmitterData> emitters;
-    for (const auto& light : lights.parallelograms) emitters.push_back(emitterOf(light));
-    for (const auto& light : lights.polygons) {
-        emitters.push_back(emitterOf(light, lights.polygonVertices));
+    // The last ones of each have an image.
+    const std::size_t plainParallelogramCount =
+        lights.parallelograms.size() - lights.texturedParallelogramCount;
+    for (std::size_t i = 0; i < lights.parallelograms.size(); ++i) {
+        const shared::ParallelogramData& light = lights.parallelograms[i];
+        if (light.edgeY.w != 0.0f) continue;
+        shared::EmitterData& emitter = emitters.emplace_back(emitterOf(light));
+        if (i < plainParallelogramCount) continue;
+        emitter.vertices.w = shared::kParallelogramImage;
+        emitter.image = {light.normal.w, light.edgeX.w, light.radiance.w, 0.0f};
+    }
+    const std::size_t plainPolygonCount = lights.polygons.size() - lights.texturedPolygonCount;
+    for (std::size_t i = 0; i < lights.polygons.size(); ++i) {
+        const shared::PolygonData& light = lights.polygons[i];
+        if (light.vertices.w != 0) continue;
+        shared::EmitterData& emitter =
+            emitters.emplace_back(emitterOf(light, lights.polygonVertices));
+        if (i < plainPolygonCount) continue;
+        emitter.vertices.w = shared::kPolygonImage;
+        emitter.image.x = static_cast<float>(i - plainPolygonCount);
+    }
+    for (const auto& light : lights.ellipses) emitters.push_back(emitterOf(light));
+    return emitters;
+}
+
+std::vector<shared::EmitterData> packSolid(const PackedLights& lights) {
+    std::vector<shared::EmitterData> emitters;
+    for (const shared::SphereData& light : lights.spheres) {
+        emitters.push_back(
+            makeSolid(glm::vec3(light.center), glm::vec3(0.0f), light.center.w, light.radiance));
+    }
+    for (const shared::TubeData& light : lights.tubes) {
+        emitters.push_back(makeSolid(glm::vec3(light.start), glm::vec3(light.axis), light.start.w,
+                                     light.radiance));
     }
     return emitters;
 }
@@ -57,16 +128,24 @@ std::vector<shared::EmitterData> packEmitters(const PackedLights& lights) {
 EmitterPass::EmitterPass(const gl::Functions& gl, const gl::ShaderLibrary& library,
                          const LightingPass& lighting)
     : gl_(gl), lighting_(lighting), noVertices_(gl, "emitters, no vertices") {
-    const std::vector<shared::EmitterData> emitters = packEmitters(lighting.packedLights());
-    emitterCount_ = static_cast<int>(emitters.size());
-    if (emitters.empty()) return;
-    program_ = gl::Program(gl, library, "passes/emitter.vert", "passes/emitter.frag",
-                           lighting.defines(), "emitters");
-    emitters_ = BlockArray(gl, emitters, "emitters");
+    const auto makeBatch = [&](const std::vector<shared::EmitterData>& emitters, const char* label,
+                               const char* vertexPath, const char* fragmentPath) {
+        Batch batch;
+        batch.count = static_cast<int>(emitters.size());
+        if (emitters.empty()) return batch;
+        batch.program =
+            gl::Program(gl, library, vertexPath, fragmentPath, lighting.defines(), label);
+        batch.emitters = BlockArray(gl, emitters, label);
+        return batch;
+    };
+    flat_ = makeBatch(packFlat(lighting.packedLights()), "flat emitters", "passes/emitter.vert",
+                      "passes/emitter.frag");
+    solid_ = makeBatch(packSolid(lighting.packedLights()), "solid emitters",
+                       "passes/emitter_solid.vert", "passes/emitter_solid.frag");
 }
 
 void EmitterPass::draw() const {
-    if (emitterCount_ == 0) return;
+    if (flat_.count + solid_.count == 0) return;
     lighting_.bind();
     gl_.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     gl_.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
@@ -76,11 +155,25 @@ void EmitterPass::draw() const {
     gl_.Enable(GL_DEPTH_TEST);
     gl_.DepthFunc(GL_GREATER);
     gl_.DepthMask(GL_TRUE);
-    program_.use();
     gl_.BindVertexArray(noVertices_.name());
-    for (int i = 0; i < emitterCount_; ++i) {
-        emitters_.bind(shared::kEmitterBinding, i);
-        gl_.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    draw(flat_, GL_TRIANGLE_STRIP, kRectangleVertexCount);
+
+    // A box by its far faces: each of its pixels once, also where the camera is inside; and whole,
+    // where they lie beyond what the camera sees.
+    gl_.Enable(GL_CULL_FACE);
+    gl_.CullFace(GL_FRONT);
+    gl_.Enable(GL_DEPTH_CLAMP);
+    draw(solid_, GL_TRIANGLES, kBoxVertexCount);
+    gl_.Disable(GL_DEPTH_CLAMP);
+    gl_.Disable(GL_CULL_FACE);
+}
+
+void EmitterPass::draw(const Batch& batch, GLenum mode, int vertexCount) const {
+    if (batch.count == 0) return;
+    batch.program.use();
+    for (int i = 0; i < batch.count; ++i) {
+        batch.emitters.bind(shared::kEmitterBinding, i);
+        gl_.DrawArrays(mode, 0, vertexCount);
     }
 }
 

@@ -12,7 +12,7 @@
 namespace polylume {
 
 /// Writes area lights into the bound G-buffer as surfaces that emit and reflect nothing, seen from
-/// the sides that emit.
+/// the sides that emit: a ball or tube from outside, a two-sided one from inside, too.
 class EmitterPass {
   public:
     /// Takes over the lights that `lighting` has now. Keeps references to the first and last.
@@ -23,12 +23,20 @@ class EmitterPass {
     void draw() const;
 
   private:
+    /// Lights that are drawn alike; without any, without a program.
+    struct Batch {
+        gl::Program program;
+        BlockArray<shared::EmitterData> emitters;
+        int count = 0;
+    };
+
+    void draw(const Batch& batch, GLenum mode, int vertexCount) const;
+
     const gl::Functions& gl_;
     const LightingPass& lighting_;
-    gl::Program program_;
     gl::VertexArray noVertices_;
-    BlockArray<shared::EmitterData> emitters_;
-    int emitterCount_ = 0;
+    Batch flat_;   ///< By their bounding rectangles.
+    Batch solid_;  ///< By their bounding boxes.
 };
 
 }  // namespace polylume

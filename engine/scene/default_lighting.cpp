@@ -37,11 +37,11 @@ glm::mat3 frameToward(const glm::vec3& from, const glm::vec3& target, const glm:
 
 /// How far to the side of the view axis (1 at the picture's edge) the light reaches inward, from
 /// the camera; above 1 it is out of the picture, behind the camera it is infinite.
-float innermostReach(const AreaLight& light, const Camera& camera) {
+float innermostReach(const PolygonLight& light, const Camera& camera) {
     const glm::mat3 axes(camera.worldFromCamera);
     const glm::vec3 eye(camera.worldFromCamera[3]);
     float leftOf = INFINITY, rightOf = INFINITY, above = INFINITY, below = INFINITY;
-    for (const glm::vec3& corner : corners(light)) {
+    for (const glm::vec3& corner : light.contours.front()) {
         const glm::vec3 offset = glm::transpose(axes) * (corner - eye);
         float halfHeight = 0.0f;
         if (const auto* perspective = std::get_if<Perspective>(&camera.projection)) {
@@ -67,21 +67,19 @@ std::vector<AreaLight> defaultRig(const Bounds& bounds, const Camera& camera) {
     const glm::mat3 cameraAxes(camera.worldFromCamera);
     std::vector<AreaLight> lights;
     for (const RigLight& source : kRig) {
-        AreaLight light;
-        light.name = source.name;
-        light.radiance = source.luminance * source.color;
+        PolygonLight light;
         glm::vec3 position = source.position;
         // Moved outward, and enlarged alike so that it lights as much, until the camera can't see
         // it. A camera inside the bounds may see it whatever is done.
         for (int attempt = 0; attempt < 12; ++attempt) {
-            light.center = lit.center() + cameraAxes * (radius * position);
-            light.worldFromLight = frameToward(light.center, lit.center(), cameraAxes[1]);
+            const glm::vec3 center = lit.center() + cameraAxes * (radius * position);
             const float distance = glm::length(position) / glm::length(source.position);
-            light.size = radius * distance * source.size;
+            light = makeRectangle({center, frameToward(center, lit.center(), cameraAxes[1])},
+                                  radius * distance * source.size, source.luminance * source.color);
             if (innermostReach(light, camera) > 1.02f) break;
             position *= glm::vec3(1.12f, 1.12f, 1.0f);
         }
-        lights.push_back(light);
+        lights.push_back({source.name, light, "default lights"});
     }
     return lights;
 }

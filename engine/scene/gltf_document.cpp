@@ -20,10 +20,11 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<std::string_view, 9> kKnownExtensions{
+constexpr std::array<std::string_view, 10> kKnownExtensions{
     "EXT_lights_area",     "KHR_lights_punctual",   "KHR_materials_emissive_strength",
     "KHR_materials_ior",   "KHR_materials_sheen",   "KHR_materials_specular",
-    "KHR_materials_unlit", "KHR_mesh_quantization", "KHR_texture_transform"};
+    "KHR_materials_unlit", "KHR_mesh_quantization", "KHR_texture_transform",
+    "POLYLUME_lights_area"};
 
 bool isKnownExtension(std::string_view name) {
     return std::find(kKnownExtensions.begin(), kKnownExtensions.end(), name) !=

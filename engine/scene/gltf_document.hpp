@@ -25,6 +25,8 @@ class GltfDocument {
 
     const tinygltf::Model& model() const { return model_; }
     const std::string& fileName() const { return fileName_; }
+    /// Where URIs of the file start from.
+    const std::filesystem::path& folder() const { return folder_; }
 
     /// "room.gltf: meshes[2].primitives[0]": where an error message points to.
     template <typename... Parts>

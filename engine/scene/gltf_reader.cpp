@@ -32,11 +32,11 @@ void checkExtent(const Scene& scene) {
 }
 
 void addLightsAndCamera(const GltfDocument& document, const NodeGraph& graph, int node,
-                        Scene& scene) {
+                        LightReader& lights, Scene& scene) {
     if (document.model().nodes[node].camera >= 0) {
         scene.cameras.push_back(readCamera(document, graph, node));
     }
-    addLights(document, graph, node, scene);
+    lights.addNode(node);
 }
 
 Scene readScene(const std::filesystem::path& path, Progress& progress) {
@@ -46,10 +46,11 @@ Scene readScene(const std::filesystem::path& path, Progress& progress) {
     scene.name = document.fileName();
     MaterialReader materials(document, scene);
     MeshBuilder meshes(document, graph, materials, scene);
+    LightReader lights(document, graph, scene);
     for (const int node : graph.sceneNodes()) {
         const tinygltf::Node& source = document.model().nodes[node];
         if (source.mesh >= 0) meshes.addNode(node);
-        addLightsAndCamera(document, graph, node, scene);
+        addLightsAndCamera(document, graph, node, lights, scene);
     }
     if (scene.materials.empty()) scene.materials.emplace_back();
     checkExtent(scene);
@@ -62,7 +63,10 @@ Scene readLightsAndCameras(const std::filesystem::path& path) {
     const NodeGraph graph(document);
     Scene scene;
     scene.name = document.fileName();
-    for (const int node : graph.sceneNodes()) addLightsAndCamera(document, graph, node, scene);
+    LightReader lights(document, graph, scene);
+    for (const int node : graph.sceneNodes()) {
+        addLightsAndCamera(document, graph, node, lights, scene);
+    }
     return scene;
 }
 

@@ -20,8 +20,8 @@ Scene readGltf(const std::filesystem::path& path);
 /// large scene.
 Scene readGltf(const std::filesystem::path& path, Progress& progress);
 
-/// Only the lights and cameras of the file's scene: meshes stay empty, and images that it names
-/// need not exist.
+/// Only the lights and cameras of the file's scene: meshes stay empty, and images that its
+/// materials name need not exist.
 Scene readGltfLights(const std::filesystem::path& path);
 
 }  // namespace polylume::scene

@@ -31,6 +31,9 @@ JsonProperty integer(const char* name, double maximum = INT_MAX) {
 JsonProperty numbers(const char* name, std::size_t length) {
     return {.name = name, .kind = Kind::numbers, .length = length};
 }
+JsonProperty contours(const char* name, std::size_t length) {
+    return {.name = name, .kind = Kind::contours, .length = length};
+}
 JsonProperty index(const char* name, const char* target) {
     return {.name = name, .kind = Kind::index, .target = target};
 }
@@ -42,6 +45,11 @@ JsonProperty object(const char* name, const JsonSchema& properties) {
 }
 JsonProperty objects(const char* name, const JsonSchema& properties) {
     return {.name = name, .kind = Kind::objects, .properties = &properties};
+}
+
+JsonProperty closed(JsonProperty property) {
+    property.closed = true;
+    return property;
 }
 
 // Extensions that are there but carry nothing that we read.
@@ -90,7 +98,10 @@ const JsonSchema kCamera{required(text("type")), object("perspective", kPerspect
 const JsonSchema kNodeAreaLight{required(index("light", "/extensions/EXT_lights_area/lights"))};
 const JsonSchema kNodePunctualLight{
     required(index("light", "/extensions/KHR_lights_punctual/lights"))};
+const JsonSchema kNodePolylumeLight{
+    required(index("light", "/extensions/POLYLUME_lights_area/lights"))};
 const JsonSchema kNodeExtensions{object("EXT_lights_area", kNodeAreaLight),
+                                 closed(object("POLYLUME_lights_area", kNodePolylumeLight)),
                                  object("KHR_lights_punctual", kNodePunctualLight)};
 const JsonSchema kNode{index("camera", "/cameras"),
                        indices("children", "/nodes"),
@@ -160,12 +171,32 @@ const JsonSchema kAreaLight{text("name"),
                             {.name = "radius", .kind = Kind::presence}};
 const JsonSchema kAreaLights{required(objects("lights", kAreaLight))};
 
+const JsonSchema kPolylumeRectangle{number("width", kAboveZero), number("height", kAboveZero)};
+const JsonSchema kPolylumePolygon{required(contours("contours", 3)), contours("texCoords", 2)};
+const JsonSchema kPolylumeSphere{number("radius", kAboveZero)};
+const JsonSchema kPolylumeTube{number("length", 0.0), number("radius", kAboveZero)};
+const JsonSchema kPolylumeTexture{index("index", "/textures"), text("uri")};
+const JsonSchema kPolylumeLight{
+    text("name"),
+    {.name = "color", .kind = Kind::numbers, .length = 3, .minimum = 0.0},
+    number("intensity", 0.0),
+    required(text("type")),
+    boolean("twoSided"),
+    closed(object("texture", kPolylumeTexture)),
+    closed(object("rect", kPolylumeRectangle)),
+    closed(object("polygon", kPolylumePolygon)),
+    closed(object("ellipse", kPolylumeRectangle)),
+    closed(object("sphere", kPolylumeSphere)),
+    closed(object("tube", kPolylumeTube))};
+const JsonSchema kPolylumeLights{required(closed(objects("lights", kPolylumeLight)))};
+
 const JsonSchema kSpot{number("innerConeAngle"), number("outerConeAngle")};
 const JsonSchema kPunctualLight{
     text("name"),           numbers("color", 3),         number("intensity", 0.0),
     required(text("type")), number("range", kAboveZero), object("spot", kSpot)};
 const JsonSchema kPunctualLights{required(objects("lights", kPunctualLight))};
 const JsonSchema kRootExtensions{object("EXT_lights_area", kAreaLights),
+                                 closed(object("POLYLUME_lights_area", kPolylumeLights)),
                                  object("KHR_lights_punctual", kPunctualLights)};
 
 const JsonSchema kRoot{required(object("asset", kAsset)),

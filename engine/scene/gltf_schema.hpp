@@ -8,7 +8,8 @@
 namespace polylume::scene {
 
 /// What we read of a glTF 2.0 document and of the extensions that we know (Khronos Group, glTF 2.0
-/// specification and extension registry; EXT_lights_area, draft).
+/// specification and extension registry; EXT_lights_area, draft;
+/// POLYLUME_lights_area, samples/POLYLUME_lights_area/).
 const JsonSchema& gltfSchema();
 
 }  // namespace polylume::scene

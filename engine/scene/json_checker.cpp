@@ -40,6 +40,12 @@ class Place {
         place.path_ += concat("[", index, "]");
         return place;
     }
+    /// With a name that the user knows the object by.
+    Place named(const std::string& name) const {
+        Place place = *this;
+        place.path_ += concat(" \"", name.substr(0, 60), "\"");
+        return place;
+    }
     std::string text() const {
         return path_.empty() ? concat("(", fileName_, ")")
                              : concat("(", fileName_, ": ", path_, ")");
@@ -54,10 +60,12 @@ class Checker {
   public:
     explicit Checker(const json& root) : root_(root) {}
 
-    json object(const json& value, const JsonSchema& schema, const Place& place) const {
+    json object(const json& value, const JsonSchema& schema, const Place& place,
+                bool closed = false) const {
         if (!value.is_object()) {
             throw Error(concat("expected an object, found ", describe(value), " ", place.text()));
         }
+        if (closed) checkClosed(value, schema, place);
         json checked = json::object();
         for (const JsonProperty& property : schema) {
             const auto found = value.find(property.name);
@@ -75,6 +83,22 @@ class Checker {
     }
 
   private:
+    static void checkClosed(const json& value, const JsonSchema& schema, const Place& place) {
+        for (const auto& [name, element] : value.items()) {
+            if (name == "extensions" || name == "extras") continue;
+            const auto isIt = [&name = name](const JsonProperty& known) {
+                return name == known.name;
+            };
+            if (std::ranges::any_of(schema, isIt)) continue;
+            std::string known;
+            for (const JsonProperty& property : schema) {
+                known += concat(known.empty() ? "" : ", ", "\"", property.name, "\"");
+            }
+            throw Error(
+                concat("expected only ", known, ", found ", describe(name), " ", place.text()));
+        }
+    }
+
     [[noreturn]] static void fail(const JsonProperty& property, const std::string& expected,
                                   const json& found, const Place& place) {
         throw Error(concat("expected \"", property.name, "\" to be ", expected, ", found ",
@@ -98,7 +122,10 @@ class Checker {
             case JsonKind::indexMap:
                 return indexMap(value, property, place);
             case JsonKind::object:
-                return object(value, *property.properties, place.property(property.name));
+                return object(value, *property.properties, place.property(property.name),
+                              property.closed);
+            case JsonKind::contours:
+                return contours(value, property, place);
             case JsonKind::presence:
                 return true;
             case JsonKind::texts:
@@ -189,9 +216,9 @@ class Checker {
     json element(const json& value, std::size_t i, const JsonProperty& property,
                  const Place& place) const {
         const Place here = place.property(property.name).element(i);
-        const std::string name = concat(property.name, "[", i, "]");
+        const std::string elementName = concat(property.name, "[", i, "]");
         JsonProperty single = property;
-        single.name = name.c_str();
+        single.name = elementName.c_str();
         switch (property.kind) {
             case JsonKind::texts:
                 if (!value.is_string()) fail(single, "a string", value, place);
@@ -202,9 +229,50 @@ class Checker {
                 return index(value, single, place);
             case JsonKind::indexMaps:
                 return indexMap(value, single, place);
-            default:
-                return object(value, *property.properties, here);
+            default: {
+                const auto name = value.find("name");
+                const bool isNamed = property.closed && value.is_object() && name != value.end() &&
+                                     name->is_string();
+                return object(value, *property.properties,
+                              isNamed ? here.named(name->get<std::string>()) : here,
+                              property.closed);
+            }
         }
+    }
+
+    static json contours(const json& value, const JsonProperty& property, const Place& place) {
+        if (!value.is_array() || value.empty()) {
+            fail(property, "an array of one contour or more", value, place);
+        }
+        json checked = json::array();
+        for (std::size_t c = 0; c < value.size(); ++c) {
+            checked.push_back(
+                contour(value[c], concat(property.name, "[", c, "]"), property, place));
+        }
+        return checked;
+    }
+
+    static json contour(const json& value, const std::string& name, const JsonProperty& property,
+                        const Place& place) {
+        JsonProperty single = property;
+        single.name = name.c_str();
+        if (!value.is_array() || value.size() < 3) {
+            fail(single, "an array of three vertices or more", value, place);
+        }
+        json checked = json::array();
+        for (std::size_t i = 0; i < value.size(); ++i) {
+            const std::string vertexName = concat(name, "[", i, "]");
+            single.name = vertexName.c_str();
+            if (!value[i].is_array() || value[i].size() != property.length) {
+                fail(single, concat("an array of ", property.length), value[i], place);
+            }
+            json vertex = json::array();
+            for (const json& coordinate : value[i]) {
+                vertex.push_back(number(coordinate, single, place));
+            }
+            checked.push_back(std::move(vertex));
+        }
+        return checked;
     }
 
     const json& root_;

@@ -24,9 +24,10 @@ enum class JsonKind {
     indexMap,  ///< Object whose every value is such.
     indexMaps,
     texts,
-    object,   ///< Of `properties`.
-    objects,  ///< Array of such.
-    presence  ///< Anything; only that it is there is kept, as true.
+    object,    ///< Of `properties`.
+    objects,   ///< Array of such.
+    contours,  ///< Array of one or more arrays of three or more vertices of `length` numbers.
+    presence   ///< Anything; only that it is there is kept, as true.
 };
 
 /// One property of an object and what it has to be.
@@ -39,6 +40,8 @@ struct JsonProperty {
     std::size_t length = 0;
     double minimum = -FLT_MAX;
     double maximum = FLT_MAX;
+    bool closed = false;  ///< Objects: a property that `properties` does not name is an error, but
+                          ///< for "extensions" and "extras".
 };
 
 using JsonSchema = std::vector<JsonProperty>;

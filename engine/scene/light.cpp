@@ -5,15 +5,24 @@
 
 namespace polylume::scene {
 
-std::vector<glm::vec3> corners(const AreaLight& light) {
+PolygonLight makeRectangle(const LightFrame& frame, const glm::vec2& size,
+                           const glm::vec3& radiance) {
     // Clockwise around +Z is counter-clockwise seen from the emitting side, -Z.
-    std::vector<glm::vec3> contour;
+    PolygonLight light;
+    light.radiance = radiance;
+    std::vector<glm::vec3>& contour = light.contours.emplace_back();
     for (const glm::vec2& corner :
          {glm::vec2(-0.5f, -0.5f), {-0.5f, 0.5f}, {0.5f, 0.5f}, {0.5f, -0.5f}}) {
-        contour.push_back(light.center +
-                          light.worldFromLight * glm::vec3(corner * light.size, 0.0f));
+        contour.push_back(frame.center + frame.worldFromLight * glm::vec3(corner * size, 0.0f));
     }
-    return contour;
+    return light;
+}
+
+EllipseLight makeEllipse(const LightFrame& frame, const glm::vec2& size,
+                         const glm::vec3& radiance) {
+    // Turned so that the cross product of the half axes is the frame's -Z.
+    return {frame.center, 0.5f * size.x * frame.worldFromLight[0],
+            -0.5f * size.y * frame.worldFromLight[1], radiance};
 }
 
 }  // namespace polylume::scene

@@ -6,26 +6,32 @@
 #include <cmath>
 #include <glm/glm.hpp>
 #include <string>
-#include <vector>
+#include <variant>
+
+#include "lights/light.hpp"
 
 namespace polylume::scene {
 
-enum class AreaLightShape { rectangle, disk };
-
-/// A flat Lambertian emitter (EXT_lights_area).
+/// A Lambertian emitter of any shape, in world space (EXT_lights_area, POLYLUME_lights_area, or an
+/// emissive mesh).
 struct AreaLight {
     std::string name;
-    AreaLightShape shape = AreaLightShape::rectangle;
-    glm::vec3 center{0.0f};
-    glm::mat3 worldFromLight{1.0f};  ///< Orthonormal; emits toward its -Z.
-    glm::vec2 size{1.0f};            ///< Extent along local X and Y; a disk's diameter, twice.
-    glm::vec3 radiance{1000.0f};     ///< Nits per channel.
-    bool twoSided = false;
+    std::variant<PolygonLight, EllipseLight, SphereLight, TubeLight> shape;
+    std::string place;  ///< Where in which file it is from, for messages; may be empty.
 };
 
-/// The corners of a rectangle, or of the one around a disk, in world space, counter-clockwise seen
-/// from the emitting side.
-std::vector<glm::vec3> corners(const AreaLight& light);
+/// Where a flat light is: the centre, and axes that are orthonormal. It emits toward -Z.
+struct LightFrame {
+    glm::vec3 center{0.0f};
+    glm::mat3 worldFromLight{1.0f};
+};
+
+/// A rectangle of `size` along the frame's X and Y.
+PolygonLight makeRectangle(const LightFrame& frame, const glm::vec2& size,
+                           const glm::vec3& radiance);
+
+/// An ellipse of full extents `size` along the frame's X and Y.
+EllipseLight makeEllipse(const LightFrame& frame, const glm::vec2& size, const glm::vec3& radiance);
 
 enum class PunctualLightType { directional, point, spot };
 

@@ -57,6 +57,7 @@ struct Material {
     TextureSlot occlusion;           ///< Red.
     glm::vec3 emissiveFactor{0.0f};  ///< Nits: KHR_materials_emissive_strength multiplied in.
     TextureSlot emissive;            ///< sRGB.
+    bool emissionIsLight = false;    ///< Area lights give it off, too: addEmissiveLights().
 
     float ior = 1.5f;             ///< KHR_materials_ior; 0 makes F0 1.
     float specularFactor = 1.0f;  ///< KHR_materials_specular

@@ -16,6 +16,7 @@
 #include "core/text.hpp"
 #include "image/image_io.hpp"
 #include "scene/gltf_value.hpp"
+#include "scene/sampler_reader.hpp"
 
 namespace polylume::scene {
 namespace {
@@ -32,12 +33,6 @@ glm::mat3 uvTransform(const tinygltf::Value& extension) {
     const auto s = static_cast<float>(std::sin(rotation));
     return {glm::vec3(c * scale.x, -s * scale.x, 0.0f), glm::vec3(s * scale.y, c * scale.y, 0.0f),
             glm::vec3(offset, 1.0f)};
-}
-
-Wrap wrapMode(int value) {
-    if (value == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE) return Wrap::clampToEdge;
-    if (value == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT) return Wrap::mirroredRepeat;
-    return Wrap::repeat;
 }
 
 }  // namespace
@@ -204,44 +199,14 @@ int MaterialReader::textureIndex(int gltfTexture, ColorSpace colorSpace, const s
     const auto [image, isNew] =
         images_.try_emplace(source.source, static_cast<int>(gltfImages_.size()));
     if (isNew) gltfImages_.push_back(source.source);
-    const Texture texture{image->second, readSampler(source.sampler), colorSpace};
+    const Texture texture{image->second, readSampler(document_.model(), source.sampler),
+                          colorSpace};
     const auto found = std::find(scene_.textures.begin(), scene_.textures.end(), texture);
     if (found != scene_.textures.end()) {
         return static_cast<int>(found - scene_.textures.begin());
     }
     scene_.textures.push_back(texture);
     return static_cast<int>(scene_.textures.size()) - 1;
-}
-
-Sampler MaterialReader::readSampler(int gltfSampler) const {
-    Sampler sampler;
-    if (gltfSampler < 0) return sampler;
-    const tinygltf::Sampler& source = document_.model().samplers[gltfSampler];
-    sampler.wrapU = wrapMode(source.wrapS);
-    sampler.wrapV = wrapMode(source.wrapT);
-    if (source.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST) sampler.magFilter = Filter::nearest;
-    switch (source.minFilter) {
-        case TINYGLTF_TEXTURE_FILTER_NEAREST:
-            sampler.minFilter = Filter::nearest;
-            sampler.mipFilter = MipFilter::none;
-            break;
-        case TINYGLTF_TEXTURE_FILTER_LINEAR:
-            sampler.mipFilter = MipFilter::none;
-            break;
-        case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST:
-            sampler.minFilter = Filter::nearest;
-            sampler.mipFilter = MipFilter::nearest;
-            break;
-        case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST:
-            sampler.mipFilter = MipFilter::nearest;
-            break;
-        case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR:
-            sampler.minFilter = Filter::nearest;
-            break;
-        default:
-            break;
-    }
-    return sampler;
 }
 
 void MaterialReader::decodeImages(Progress& progress) {

@@ -43,7 +43,6 @@ class MaterialReader {
     TextureSlot extensionSlot(const tinygltf::Value& extension, const char* name,
                               ColorSpace colorSpace, const std::string& where);
     int textureIndex(int gltfTexture, ColorSpace colorSpace, const std::string& where);
-    Sampler readSampler(int gltfSampler) const;
 
     /// `value` within the limits; a warning where it was not.
     float clamped(double value, double minimum, double maximum, const std::string& where) const;

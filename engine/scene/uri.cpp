@@ -84,9 +84,8 @@ std::vector<std::byte> readDataUri(std::string_view uri, std::string_view place)
 
 }  // namespace
 
-std::vector<std::byte> readUri(std::string_view uri, const std::filesystem::path& folder,
-                               std::string_view place) {
-    if (uri.starts_with("data:")) return readDataUri(uri, place);
+std::filesystem::path fileOfUri(std::string_view uri, const std::filesystem::path& folder,
+                                std::string_view place) {
     if (uri.find("://") != std::string_view::npos) {
         throw Error(concat("expected a file or a data URI, found \"", uri.substr(0, 60), "\" (",
                            place, "); fetch it and refer to the local copy"));
@@ -95,8 +94,15 @@ std::vector<std::byte> readUri(std::string_view uri, const std::filesystem::path
     if (decoded.empty() || decoded.find('\0') != std::string::npos) {
         throw Error(concat("expected the name of a file, found none (", place, ")"));
     }
+    return folder / decoded;
+}
+
+std::vector<std::byte> readUri(std::string_view uri, const std::filesystem::path& folder,
+                               std::string_view place) {
+    if (uri.starts_with("data:")) return readDataUri(uri, place);
+    const std::filesystem::path file = fileOfUri(uri, folder, place);
     try {
-        return readFile(folder / decoded);
+        return readFile(file);
     } catch (const Error& error) {
         throw Error(concat(error.what(), " (", place, " refers to it)"));
     }

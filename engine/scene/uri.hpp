@@ -17,4 +17,9 @@ namespace polylume::scene {
 std::vector<std::byte> readUri(std::string_view uri, const std::filesystem::path& folder,
                                std::string_view place);
 
+/// The file that a URI other than "data:" names; the file itself is not looked at. Throws Error as
+/// readUri() does.
+std::filesystem::path fileOfUri(std::string_view uri, const std::filesystem::path& folder,
+                                std::string_view place);
+
 }  // namespace polylume::scene

@@ -1,39 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Polylume authors
 // SPDX-License-Identifier: MIT
 
-#include "lighting/area.glsl"
-#include "lighting/light.glsl"
+#include "lighting/flat.glsl"
+#include "lighting/round.glsl"
+#include "lighting/textured.glsl"
 #include "ltc/lobe.glsl"
-#include "ltc/parallelogram.glsl"
 #include "surface/surface.glsl"
-#ifdef POLYLUME_POLYGON_LIGHTS
-#include "ltc/polygon.glsl"
-#endif
 
 // KHR_materials_sheen: Charlie's lobe over everything else. Its lights are a loop of their own, of no turns for a
 // surface without sheen; such a surface does not pay for those that have it.
-
-#ifdef POLYLUME_POLYGON_LIGHTS
-/// Form factor of polygon `index` for one lobe, as light counts it.
-float polygonLobeFactor(uint index, vec3 positionWorld, mat3 frameFromWorld, LtcLobe lobe) {
-    PolygonData light = polygons[index];
-    float distance = dot(light.plane.xyz, positionWorld) + light.plane.w;
-    vec3 normal = frameFromWorld * light.plane.xyz;
-    vec3 toPlane = distance > 0.0 ? -normal : normal;
-    LtcPolygon polygon = ltcBeginPolygon(toPlane);
-    LtcPolygonImage image = ltcBeginImage(toPlane, lobe);
-    vec3 reach = vec3(0.0);
-    uint last = light.vertices.x + light.vertices.y;
-    for (uint i = light.vertices.x; i < last; ++i) {
-        vec4 vertex = polygonVertices[i];
-        vec3 offset = vertex.xyz - positionWorld;
-        reach = max(reach, abs(offset));
-        LtcPolygonEdge edge = ltcAddVertex(frameFromWorld * offset, vertex.w < 0.5, polygon);
-        ltcAddImageEdge(edge, lobe, image);
-    }
-    return lightSide(distance, max(reach.x, max(reach.y, reach.z)), light.radiance.w) * ltcLobeFactor(image, lobe);
-}
-#endif
 
 /// Where the surface has sheen, what it reflects of the area lights with a sheen colour of 1 is added.
 /// `albedo` is the directional albedo there, else 0.
@@ -45,19 +20,67 @@ void addSheen(Surface surface, mat3 frameFromWorld, inout Reflection reflection,
     albedo = hasSheen ? ltcFetch(sheenTable, place, 1).x : 0.0;
     LtcLobe lobe = ltcDecode(ltcFetch(sheenTable, place, 0), place.axis, 1.0);
 
+    vec3 position = surface.positionWorld;
     vec3 sum = vec3(0.0);
-    uint parallelogramCount = hasSheen ? lighting.lightCount.x : 0u;
-    for (uint i = 0u; i < parallelogramCount; ++i) {
-        float side;
-        LtcParallelogram outline = clippedParallelogram(i, surface.positionWorld, frameFromWorld, side);
-        sum += clamp(side * ltcLobeFactor(outline, lobe), 0.0, 1.0) * parallelograms[i].radiance.rgb;
-    }
-#ifdef POLYLUME_POLYGON_LIGHTS
-    uint polygonCount = hasSheen ? lighting.lightCount.y : 0u;
-    for (uint i = 0u; i < polygonCount; ++i) {
-        float factor = polygonLobeFactor(i, surface.positionWorld, frameFromWorld, lobe);
-        sum += clamp(factor, 0.0, 1.0) * polygons[i].radiance.rgb;
-    }
+    if (hasSheen) {
+        mat3 scaledFrame = lighting.lobeWeight.w * frameFromWorld;
+#ifdef POLYLUME_PARALLELOGRAM_LIGHTS
+        uint parallelogram = 0u;
+        do {
+            float factor = parallelogramLobeFactor(parallelogram, position, scaledFrame, lobe);
+            sum += clamp(factor, 0.0, 1.0) * parallelograms[parallelogram].radiance.rgb;
+        } while (++parallelogram < lighting.lightCount.x);
 #endif
+#ifdef POLYLUME_TRIANGLE_LIGHTS
+        uint triangle = 0u;
+        do {
+            float factor = triangleLobeFactor(triangle, position, scaledFrame, lobe);
+            sum += clamp(factor, 0.0, 1.0) * polygons[triangle].radiance.rgb;
+        } while (++triangle < lighting.lightCount.w);
+#endif
+#ifdef POLYLUME_POLYGON_LIGHTS
+        uint polygon = lighting.lightCount.w;
+        do {
+            float factor = polygonLobeFactor(polygon, position, scaledFrame, lobe);
+            sum += clamp(factor, 0.0, 1.0) * polygons[polygon].radiance.rgb;
+        } while (++polygon < lighting.lightCount.y);
+#endif
+#ifdef POLYLUME_TEXTURED_PARALLELOGRAM_LIGHTS
+        uint texturedParallelogram = lighting.lightCount.x;
+        do {
+            ParallelogramData light = parallelograms[texturedParallelogram];
+            sum += light.radiance.rgb * texturedParallelogramLobeColor(light, position, scaledFrame, lobe);
+        } while (++texturedParallelogram < lighting.lightCount.x + lighting.texturedLightCount.x);
+#endif
+#ifdef POLYLUME_TEXTURED_POLYGON_LIGHTS
+        uint textured = 0u;
+        do {
+            uint index = lighting.lightCount.y + textured;
+            sum += polygons[index].radiance.rgb * texturedPolygonLobeColor(index, lightTextures[textured], position,
+                                                                           scaledFrame, lobe, kDiffuseVariance);
+        } while (++textured < lighting.texturedLightCount.y);
+#endif
+#if defined(POLYLUME_DISK_LIGHTS) || defined(POLYLUME_ELLIPSE_LIGHTS)
+        uint ellipse = 0u;
+        do {
+            float factor = ellipseLobeFactor(ellipse, position, frameFromWorld, lobe);
+            sum += clamp(factor, 0.0, 1.0) * ellipses[ellipse].radiance.rgb;
+        } while (++ellipse < lighting.roundLightCount.x);
+#endif
+#ifdef POLYLUME_SPHERE_LIGHTS
+        uint sphere = 0u;
+        do {
+            float factor = sphereLobeFactor(sphere, position, frameFromWorld, lobe);
+            sum += clamp(factor, 0.0, 1.0) * spheres[sphere].radiance.rgb;
+        } while (++sphere < lighting.roundLightCount.y);
+#endif
+#ifdef POLYLUME_TUBE_LIGHTS
+        uint tube = 0u;
+        do {
+            float factor = tubeLobeFactor(tube, position, frameFromWorld, lobe);
+            sum += clamp(factor, 0.0, 1.0) * tubes[tube].radiance.rgb;
+        } while (++tube < lighting.roundLightCount.z);
+#endif
+    }
     reflection.sheen += albedo * sum;
 }

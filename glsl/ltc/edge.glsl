@@ -22,19 +22,6 @@ float ltcHalfAngleRatio(float y) {
     return w;
 }
 
-/// theta / sin(theta) for the angle between the unit vectors `a` and `b`, 0 to pi, relative error below 1e-6, no acos.
-///
-/// With y = cos(theta / 2) = |a + b| / 2 the half-angle formulas give theta / sin(theta) = w(y) / y. Taking y from the sum
-/// of the vectors keeps the digits near theta = pi, where a dot product loses them.
-float ltcThetaOverSinTheta(vec3 a, vec3 b) {
-    vec3 sum = a + b;
-    // Opposite vectors: the edge passes through the origin, and its cross product, a factor of the result, is zero.
-    float square = max(dot(sum, sum), 1e-14);
-    float inverseLength = inversesqrt(square);
-    float y = 0.5 * square * inverseLength;
-    return ltcHalfAngleRatio(y) * 2.0 * inverseLength;
-}
-
 /// The angle between `a` and `b`, neither of them unit: w(y) |a - b| of the unit vectors. For edges whose plane is known:
 /// right up to opposite directions, where a cross product has no digits left.
 float ltcAngle(vec3 a, vec3 b) {
@@ -47,11 +34,26 @@ float ltcAngle(vec3 a, vec3 b) {
 
 /// theta * n.z of the edge from `a` to `b`, neither of them unit, where `crossZ` is the z of a x b. The caller computes
 /// it from a vertex and the edge's own vector, since a difference of two far points has lost its digits.
+///
+/// theta = w(cos theta) sin theta up to 90 degrees, and pi less that of the opposite direction beyond, where n.z comes from
+/// the cross product: its length keeps the digits near theta = pi that a cosine loses there.
 float ltcEdgeIntegral(vec3 a, vec3 b, float crossZ) {
-    // The floor only keeps a vertex at the origin finite; its cross product is zero.
-    float inverseA = inversesqrt(max(dot(a, a), 1e-30));
-    float inverseB = inversesqrt(max(dot(b, b), 1e-30));
-    return crossZ * inverseA * inverseB * ltcThetaOverSinTheta(a * inverseA, b * inverseB);
+    // The floors only keep vertices at the origin, and edges in line with it, finite; their cross products are zero.
+    float inverse = inversesqrt(max(dot(a, a) * dot(b, b), 1e-37));
+    float cosine = dot(a, b) * inverse;
+    float narrow = crossZ * inverse * ltcHalfAngleRatio(min(abs(cosine), 1.0));
+    vec2 crossXY = vec2(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z);
+    float normalZ = crossZ * inversesqrt(max(dot(crossXY, crossXY) + crossZ * crossZ, 1e-37));
+    return cosine < 0.0 ? 3.14159265 * normalZ - narrow : narrow;
+}
+
+/// The angle from `a` to `b` in their plane, neither of them unit: positive where it turns counter-clockwise. `turn` is its
+/// sign, 1 or -1, which near opposite directions the two no longer tell.
+float ltcPlaneAngle(vec2 a, vec2 b, float turn) {
+    float inverse = inversesqrt(max(dot(a, a) * dot(b, b), 1e-37));
+    float cosine = dot(a, b) * inverse;
+    float narrow = (a.x * b.y - a.y * b.x) * inverse * ltcHalfAngleRatio(min(abs(cosine), 1.0));
+    return cosine < 0.0 ? turn * 3.14159265 - narrow : narrow;
 }
 
 /// `v` moved onto the plane z = 0 where it is a millionth of its length off, as rounding leaves it. Points that lie on a

@@ -85,6 +85,16 @@ vec3 ltcTransform(LtcLobe lobe, vec3 v) {
     return ltcSnapToHorizon(vec3(lobe.m11 * v.x + lobe.m13 * v.z, v.y, lobe.m31 * v.x + lobe.m33 * v.z));
 }
 
+/// M^-1 v for the vector from one point to another.
+vec3 ltcTransformVector(LtcLobe lobe, vec3 v) {
+    return vec3(lobe.m11 * v.x + lobe.m13 * v.z, v.y, lobe.m31 * v.x + lobe.m33 * v.z);
+}
+
+/// Where a point of the surface's plane after M^-1 lies in that plane: x along the image of the surface's x axis.
+vec2 ltcAlongSurface(LtcLobe lobe, vec3 v) {
+    return vec2((lobe.m11 * v.x + lobe.m31 * v.z) * inversesqrt(lobe.m11 * lobe.m11 + lobe.m31 * lobe.m31), v.y);
+}
+
 /// M^-1 of a vector along the surface. Edges that share a point of the horizon get the same numbers for it.
 vec3 ltcTransformHorizontal(LtcLobe lobe, vec2 v) {
     return ltcSnapToHorizon(vec3(lobe.m11 * v.x, v.y, lobe.m31 * v.x));

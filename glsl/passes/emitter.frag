@@ -3,9 +3,11 @@
 
 #include "shared/emitter_data.h"
 #include "shared/light_data.h"
-#include "surface/gbuffer_write.glsl"
+#include "shared/light_texture_data.h"
+#include "surface/emitting_surface.glsl"
 
 in vec3 positionWorld;
+in vec2 share;
 
 /// Where `point` of the light's plane lies along its rectangle's two edges.
 vec2 planeCoordinates(vec3 point) {
@@ -14,7 +16,7 @@ vec2 planeCoordinates(vec3 point) {
 }
 
 /// Even-odd rule: how often a ray from the point crosses the contours.
-bool isInsideOutline(vec2 point) {
+bool isInsidePolygon(vec2 point) {
     bool inside = false;
     vec2 from = vec2(0.0);
     for (uint i = emitter.vertices.x; i < emitter.vertices.x + emitter.vertices.y; ++i) {
@@ -28,18 +30,50 @@ bool isInsideOutline(vec2 point) {
     return inside;
 }
 
+bool isInsideOutline() {
+    if (emitter.vertices.z == kPolygonOutline) return isInsidePolygon(planeCoordinates(positionWorld));
+    vec2 fromCenter = 2.0 * share - 1.0;
+    return emitter.vertices.z == kWholeOutline || dot(fromCenter, fromCenter) <= 1.0;
+}
+
+/// The factor at `place` in the frame of an image of so many `texels`, filtered over a pixel, which steps on by the
+/// other two.
+vec3 imageFactor(float layer, vec2 texels, vec2 place, vec2 stepX, vec2 stepY) {
+    vec2 scale = texels / vec2(textureSize(lightImages, 0).xy);
+    return textureGrad(lightImages, vec3(scale * place, layer), scale * stepX, scale * stepY).rgb;
+}
+
+/// `offset` in the light's plane by the edges of the frame of its image.
+vec2 frameOffset(LightTextureData frame, vec3 offset) {
+    vec3 x = frame.edgeX.xyz;
+    vec3 y = frame.edgeY.xyz;
+    // The edges may be at any angle.
+    vec2 along = vec2(dot(offset, x), dot(offset, y));
+    float across = dot(x, y);
+    float xx = dot(x, x);
+    float yy = dot(y, y);
+    return vec2(yy * along.x - across * along.y, xx * along.y - across * along.x) / (xx * yy - across * across);
+}
+
+vec3 emittedRadiance() {
+    vec3 radiance = emitter.radiance.rgb;
+    if (emitter.vertices.w == kParallelogramImage) {
+        radiance *= imageFactor(emitter.image.x, emitter.image.yz, share, dFdx(share), dFdy(share));
+    } else if (emitter.vertices.w == kPolygonImage) {
+        LightTextureData frame = lightTextures[uint(emitter.image.x)];
+        // Steps of the position, not of the place in the frame: pixels that are drawn only for the steps' sake may read
+        // nothing from buffers (llvmpipe's do not).
+        radiance *= imageFactor(frame.corner.w, vec2(frame.edgeX.w, frame.edgeY.w),
+                                frameOffset(frame, positionWorld - frame.corner.xyz),
+                                frameOffset(frame, dFdx(positionWorld)), frameOffset(frame, dFdy(positionWorld)));
+    }
+    return radiance;
+}
+
 void main() {
+    // Before anything is left out: it looks at the pixels beside.
+    vec3 radiance = emittedRadiance();
     if (emitter.radiance.w < 0.5 && !gl_FrontFacing) discard;
-    if (emitter.vertices.y > 0u && !isInsideOutline(planeCoordinates(positionWorld))) discard;
-    Surface surface;
-    surface.normalWorld = gl_FrontFacing ? emitter.normal.xyz : -emitter.normal.xyz;
-    surface.diffuseAlbedo = vec3(0.0);
-    surface.roughness = 1.0;
-    surface.f0 = vec3(0.0);
-    surface.f90 = 0.0;
-    surface.emission = emitter.radiance.rgb;
-    surface.occlusion = 1.0;
-    surface.sheenColor = vec3(0.0);
-    surface.sheenRoughness = 0.0;
-    writeGBuffer(surface);
+    if (!isInsideOutline()) discard;
+    writeGBuffer(emittingSurface(radiance, gl_FrontFacing ? emitter.normal.xyz : -emitter.normal.xyz));
 }

@@ -5,11 +5,11 @@
 #include "shared/emitter_data.h"
 
 out vec3 positionWorld;
+out vec2 share;  // Of the two edges.
 
 /// The bounding rectangle of an area light as a strip of two triangles.
 void main() {
-    float x = float(gl_VertexID & 1);
-    float y = float(gl_VertexID >> 1);
-    positionWorld = emitter.corner.xyz + x * emitter.edgeX.xyz + y * emitter.edgeY.xyz;
+    share = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1));
+    positionWorld = emitter.corner.xyz + share.x * emitter.edgeX.xyz + share.y * emitter.edgeY.xyz;
     gl_Position = camera.clipFromWorld * vec4(positionWorld, 1.0);
 }

@@ -22,12 +22,10 @@ using reference::ReferenceTracer;
 
 scene::Scene makeFloorScene() {
     scene::Scene scene = test::makeScene(test::makeFloor(10.0f), 0.25f, 1.0f, glm::vec3(1.0f));
-    scene::AreaLight light;
-    light.center = {0, 2, -6};
-    light.size = {8, 3};
     // Toward +Z: a half turn about Y.
-    light.worldFromLight = glm::mat3(glm::vec3(-1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, -1));
-    scene.areaLights.push_back(light);
+    const glm::mat3 axes(glm::vec3(-1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, -1));
+    scene.areaLights.push_back(
+        {"wall", scene::makeRectangle({{0, 2, -6}, axes}, {8, 3}, glm::vec3(1000.0f)), "bench"});
     return scene;
 }
 

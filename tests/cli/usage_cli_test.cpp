@@ -53,9 +53,10 @@ TEST_F(UsageTest, helpOfEachCommandShowsExamples) {
     const Outcome render = runCommand({"render", "--help"});
     EXPECT_EQ(render.exitCode, 0);
     EXPECT_THAT(render.output, AllOf(HasSubstr("Examples:"), HasSubstr("polylume render ")));
-    for (const char* flag : {"--output", "--size", "--backend", "--camera", "--samples",
-                             "--exposure", "--tonemap", "--lobes", "--table", "--lights", "--aov",
-                             "--background", "--two-sided", "--hide-lights", "--glsl-dir"}) {
+    for (const char* flag :
+         {"--output", "--size", "--backend", "--camera", "--samples", "--exposure", "--tonemap",
+          "--lobes", "--table", "--lights", "--aov", "--background", "--two-sided", "--hide-lights",
+          "--emissive-lights", "--glsl-dir"}) {
         EXPECT_THAT(render.output, HasSubstr(flag));
     }
     const Outcome reference = runCommand({"reference", "--help"});
@@ -65,7 +66,7 @@ TEST_F(UsageTest, helpOfEachCommandShowsExamples) {
     for (const char* flag :
          {"--output", "--size", "--camera", "--samples", "--exposure", "--tonemap", "--lobes",
           "--lights", "--aov", "--background", "--spp", "--target-error", "--threads", "--seed",
-          "--shadows", "--depth", "--resume"}) {
+          "--shadows", "--depth", "--resume", "--emissive-lights"}) {
         EXPECT_THAT(reference.output, HasSubstr(flag));
     }
     const Outcome fit = runCommand({"fit", "--help"});

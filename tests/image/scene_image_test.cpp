@@ -99,6 +99,12 @@ TEST_P(SceneImageTest, matchesReferenceStudio) {
 TEST_P(SceneImageTest, matchesReferenceCornell) {
     checkSample("cornell");
 }
+TEST_P(SceneImageTest, matchesReferenceSoftboxes) {
+    checkSample("softboxes");
+}
+TEST_P(SceneImageTest, matchesReferenceNeon) {
+    checkSample("neon");
+}
 
 TEST_P(SceneImageTest, matchesReferenceGalleryHigh) {
     checkAgainstReference("gallery_high", scene::readGltf(kSceneDir / "gallery.glb"),
@@ -128,14 +134,13 @@ scene::Scene makeClothScene() {
         scene.instances.push_back(instance);
     }
     scene.cameras.push_back(test::makeCamera({0.0f, 2.5f, 8.0f}, {0.0f, 0.8f, 0.0f}, 0.6f));
-    scene::AreaLight light;
-    light.center = {-2.0f, 4.0f, -2.0f};
-    light.size = {4.0f, 2.0f};
-    light.radiance = glm::vec3(2000.0f);
-    const glm::vec3 z = glm::normalize(light.center);
+    const glm::vec3 center(-2.0f, 4.0f, -2.0f);
+    const glm::vec3 z = glm::normalize(center);
     const glm::vec3 x = glm::normalize(glm::cross(glm::vec3(0, 1, 0), z));
-    light.worldFromLight = glm::mat3(x, glm::cross(z, x), z);
-    scene.areaLights.push_back(light);
+    scene.areaLights.push_back({"light",
+                                scene::makeRectangle({center, glm::mat3(x, glm::cross(z, x), z)},
+                                                     {4.0f, 2.0f}, glm::vec3(2000.0f)),
+                                "test"});
     scene::PunctualLight lamp;
     lamp.position = {4.0f, 3.0f, 4.0f};
     lamp.intensity = {3000.0f, 2500.0f, 2000.0f};
@@ -172,6 +177,9 @@ TEST(BackendImageTest, studioHasTheSameBits) {
 }
 TEST(BackendImageTest, cornellHasTheSameBits) {
     expectSameBits(scene::readGltf(kSceneDir / "cornell.glb"));
+}
+TEST(BackendImageTest, softboxesHasTheSameBits) {
+    expectSameBits(scene::readGltf(kSceneDir / "softboxes.glb"));
 }
 
 /// A real model by others, where it is to be had.

@@ -135,6 +135,28 @@ TEST_P(LightingPassTest, lightThroughTheSurfaceIsClippedAtIt) {
     EXPECT_LT(largestError(star, 0.4f, Lobes::diffuse), 1e-5);
 }
 
+TEST_P(LightingPassTest, everyPathOfAPolygonEqualsDoublePrecision) {
+    // A triangle, a convex polygon, and one of sizes at which squares of squares would overflow; in
+    // front of the points and through their surfaces.
+    const std::vector<glm::vec3> hexagon = {{-1, 0, 0}, {-0.5f, 1, 0}, {0.5f, 1, 0},
+                                            {1, 0, 0},  {0.5f, -1, 0}, {-0.5f, -1, 0}};
+    const std::vector<glm::vec3> triangle = {{-1, -1, 0}, {0, 1.5f, 0}, {1, -1, 0}};
+    for (const auto& contour : {triangle, hexagon}) {
+        PolygonLight light;
+        light.radiance = glm::vec3(1.0f);
+        light.contours = {contour};
+        EXPECT_LT(largestError(light, 0.4f, Lobes::diffuse), 5e-6);
+        EXPECT_LT(largestError(light, 0.1f, Lobes::specular), 1e-4);
+        for (glm::vec3& v : light.contours[0]) v = {3.0f, v.y, -4.0f - v.x};
+        EXPECT_LT(largestError(light, 0.4f, Lobes::diffuse), 1e-5);
+        EXPECT_LT(largestError(light, 0.4f, Lobes::specular), 1e-4);
+        light.contours = {contour};
+        for (glm::vec3& v : light.contours[0]) v = 1e12f * (v + glm::vec3(0.0f, 0.0f, 1.0f));
+        EXPECT_LT(largestError(light, 0.4f, Lobes::diffuse), 5e-6);
+        EXPECT_LT(largestError(light, 0.4f, Lobes::specular), 1e-4);
+    }
+}
+
 TEST_P(LightingPassTest, rectangleAndItsPolygonAgree) {
     const PolygonLight rectangle = makeRectangle({-1, -1, 0}, 2.0f * kUp, 3.0f * kRight);
     PolygonLight split = rectangle;

@@ -7,36 +7,81 @@
 
 #include "ltc/builtin_table.hpp"
 #include "ltc/polygon_integral.hpp"
+#include "ltc/round_integral.hpp"
 
 namespace polylume::test {
 
+namespace {
+
+/// The shading frame of a pixel in double, and its view's cosine.
+struct PixelFrame {
+    glm::dvec3 position, normal, tangent, bitangent;
+    double cosView;
+
+    explicit PixelFrame(const SurfacePixel& pixel)
+        : position(pixel.positionWorld), normal(glm::normalize(glm::dvec3(pixel.normalWorld))) {
+        const glm::dvec3 view = glm::normalize(glm::dvec3(pixel.viewWorld));
+        cosView = std::clamp(glm::dot(normal, view), 1e-4, 1.0);
+        tangent = view - normal * glm::dot(normal, view);
+        if (glm::length(tangent) < 1e-5) {
+            tangent = glm::cross(
+                normal, std::abs(normal.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0));
+        }
+        tangent = glm::normalize(tangent);
+        bitangent = glm::cross(normal, tangent);
+    }
+    glm::dvec3 toLocal(const glm::dvec3& vector) const {
+        return {glm::dot(vector, tangent), glm::dot(vector, bitangent), glm::dot(vector, normal)};
+    }
+    glm::dvec3 place(const glm::vec3& point) const { return toLocal(glm::dvec3(point) - position); }
+};
+
+/// The integrals over a shape of the oracle, by the sides that the light emits from.
+template <typename Shape>
+ReferenceShading shade(const SurfacePixel& pixel, const PixelFrame& frame, const Shape& shape,
+                       bool twoSided, const ltc::Table& table) {
+    const ltc::TableEntry entry = table.lookup(pixel.roughness, frame.cosView);
+    const double sign = twoSided ? -1.0 : 0.0;
+    const auto bySide = [&](double factor) { return std::max(factor, sign * factor); };
+    return {bySide(ltc::formFactor(shape)), bySide(ltc::lobeFormFactor(shape, entry)),
+            entry.albedo};
+}
+
+}  // namespace
+
 ReferenceShading shadeInDouble(const SurfacePixel& pixel, const PolygonLight& light,
                                const ltc::Table& table) {
-    const glm::dvec3 normal = glm::normalize(glm::dvec3(pixel.normalWorld));
-    const glm::dvec3 view = glm::normalize(glm::dvec3(pixel.viewWorld));
-    const double cosView = std::clamp(glm::dot(normal, view), 1e-4, 1.0);
-    glm::dvec3 tangent = view - normal * glm::dot(normal, view);
-    if (glm::length(tangent) < 1e-5) {
-        tangent = glm::cross(normal,
-                             std::abs(normal.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0));
-    }
-    tangent = glm::normalize(tangent);
-    const glm::dvec3 bitangent = glm::cross(normal, tangent);
-
+    const PixelFrame frame(pixel);
     std::vector<ltc::Contour> contours;
     for (const auto& contour : light.contours) {
         ltc::Contour& local = contours.emplace_back();
-        for (const glm::vec3& vertex : contour) {
-            const glm::dvec3 offset = glm::dvec3(vertex) - glm::dvec3(pixel.positionWorld);
-            local.emplace_back(glm::dot(offset, tangent), glm::dot(offset, bitangent),
-                               glm::dot(offset, normal));
-        }
+        for (const glm::vec3& vertex : contour) local.push_back(frame.place(vertex));
     }
-    const ltc::TableEntry entry = table.lookup(pixel.roughness, cosView);
-    const double sign = light.twoSided ? -1.0 : 0.0;
-    const auto bySide = [&](double factor) { return std::max(factor, sign * factor); };
-    return {bySide(ltc::formFactor(contours)), bySide(ltc::lobeFormFactor(contours, entry)),
-            entry.albedo};
+    return shade(pixel, frame, std::span<const ltc::Contour>(contours), light.twoSided, table);
+}
+
+ReferenceShading shadeInDouble(const SurfacePixel& pixel, const EllipseLight& light,
+                               const ltc::Table& table) {
+    const PixelFrame frame(pixel);
+    const ltc::EllipseShape shape{frame.place(light.center), frame.toLocal(light.halfAxisX),
+                                  frame.toLocal(light.halfAxisY)};
+    return shade(pixel, frame, shape, light.twoSided, table);
+}
+
+ReferenceShading shadeInDouble(const SurfacePixel& pixel, const SphereLight& light,
+                               const ltc::Table& table) {
+    const PixelFrame frame(pixel);
+    const ltc::SphereShape shape{frame.place(light.center), light.radius};
+    return shade(pixel, frame, shape, light.twoSided, table);
+}
+
+ReferenceShading shadeInDouble(const SurfacePixel& pixel, const TubeLight& light,
+                               const ltc::Table& table) {
+    const PixelFrame frame(pixel);
+    // As float has the axis.
+    const glm::dvec3 start = frame.place(light.start);
+    const ltc::TubeShape shape{start, start + frame.toLocal(light.end - light.start), light.radius};
+    return shade(pixel, frame, shape, light.twoSided, table);
 }
 
 const ltc::Table& specularTableOf(const LightingModel& model) {

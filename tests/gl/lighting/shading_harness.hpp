@@ -115,6 +115,14 @@ struct ReferenceShading {
 ReferenceShading shadeInDouble(const SurfacePixel& pixel, const PolygonLight& light,
                                const ltc::Table& table);
 
+/// The same of round lights. A point inside of a sphere or a tube gets all of a two-sided one.
+ReferenceShading shadeInDouble(const SurfacePixel& pixel, const EllipseLight& light,
+                               const ltc::Table& table);
+ReferenceShading shadeInDouble(const SurfacePixel& pixel, const SphereLight& light,
+                               const ltc::Table& table);
+ReferenceShading shadeInDouble(const SurfacePixel& pixel, const TubeLight& light,
+                               const ltc::Table& table);
+
 /// The built-in specular table of `model`.
 const ltc::Table& specularTableOf(const LightingModel& model);
 

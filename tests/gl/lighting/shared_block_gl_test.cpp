@@ -11,6 +11,7 @@
 #include "shared/emitter_data.h"
 #include "shared/instance_data.h"
 #include "shared/light_data.h"
+#include "shared/light_texture_data.h"
 #include "shared/material_data.h"
 
 namespace polylume {
@@ -54,15 +55,31 @@ const std::vector<Field> kMaterialFields = {
     {"material.uvRows[0]", offsetof(shared::MaterialData, uvRows)}};
 const std::vector<Field> kLightingFields = {
     POLYLUME_FIELD(LightingData, "lighting.", lightCount),
+    POLYLUME_FIELD(LightingData, "lighting.", roundLightCount),
+    POLYLUME_FIELD(LightingData, "lighting.", texturedLightCount),
+    POLYLUME_FIELD(LightingData, "lighting.", textureScale),
     POLYLUME_FIELD(LightingData, "lighting.", lobeWeight),
     POLYLUME_FIELD(LightingData, "lighting.", lobeReferences),
     POLYLUME_FIELD(LightingData, "lighting.", sheenReference)};
-const std::vector<Field> kEmitterFields = {POLYLUME_FIELD(EmitterData, "emitter.", corner),
-                                           POLYLUME_FIELD(EmitterData, "emitter.", edgeX),
-                                           POLYLUME_FIELD(EmitterData, "emitter.", edgeY),
-                                           POLYLUME_FIELD(EmitterData, "emitter.", normal),
-                                           POLYLUME_FIELD(EmitterData, "emitter.", radiance),
-                                           POLYLUME_FIELD(EmitterData, "emitter.", vertices)};
+const std::vector<Field> kFlatEmitterFields = {POLYLUME_FIELD(EmitterData, "emitter.", corner),
+                                               POLYLUME_FIELD(EmitterData, "emitter.", edgeX),
+                                               POLYLUME_FIELD(EmitterData, "emitter.", edgeY),
+                                               POLYLUME_FIELD(EmitterData, "emitter.", normal),
+                                               POLYLUME_FIELD(EmitterData, "emitter.", radiance),
+                                               POLYLUME_FIELD(EmitterData, "emitter.", vertices),
+                                               POLYLUME_FIELD(EmitterData, "emitter.", image)};
+const std::vector<Field> kSolidEmitterFields = {POLYLUME_FIELD(EmitterData, "emitter.", corner),
+                                                POLYLUME_FIELD(EmitterData, "emitter.", edgeX),
+                                                POLYLUME_FIELD(EmitterData, "emitter.", edgeY),
+                                                POLYLUME_FIELD(EmitterData, "emitter.", edgeZ),
+                                                POLYLUME_FIELD(EmitterData, "emitter.", radiance),
+                                                POLYLUME_FIELD(EmitterData, "emitter.", start),
+                                                POLYLUME_FIELD(EmitterData, "emitter.", axis)};
+const std::vector<Field> kLightTextureFields = {
+    POLYLUME_FIELD(LightTextureData, "lightTextures[0].", corner),
+    POLYLUME_FIELD(LightTextureData, "lightTextures[0].", edgeX),
+    POLYLUME_FIELD(LightTextureData, "lightTextures[0].", edgeY),
+    POLYLUME_FIELD(LightTextureData, "lightTextures[0].", spread)};
 const std::vector<Field> kParallelogramFields = {
     POLYLUME_FIELD(ParallelogramData, "parallelograms[0].", corner),
     POLYLUME_FIELD(ParallelogramData, "parallelograms[0].", edgeX),
@@ -72,6 +89,16 @@ const std::vector<Field> kParallelogramFields = {
 const std::vector<Field> kPolygonFields = {POLYLUME_FIELD(PolygonData, "polygons[0].", vertices),
                                            POLYLUME_FIELD(PolygonData, "polygons[0].", plane),
                                            POLYLUME_FIELD(PolygonData, "polygons[0].", radiance)};
+const std::vector<Field> kEllipseFields = {POLYLUME_FIELD(EllipseData, "ellipses[0].", center),
+                                           POLYLUME_FIELD(EllipseData, "ellipses[0].", halfAxisX),
+                                           POLYLUME_FIELD(EllipseData, "ellipses[0].", halfAxisY),
+                                           POLYLUME_FIELD(EllipseData, "ellipses[0].", normal),
+                                           POLYLUME_FIELD(EllipseData, "ellipses[0].", radiance)};
+const std::vector<Field> kSphereFields = {POLYLUME_FIELD(SphereData, "spheres[0].", center),
+                                          POLYLUME_FIELD(SphereData, "spheres[0].", radiance)};
+const std::vector<Field> kTubeFields = {POLYLUME_FIELD(TubeData, "tubes[0].", start),
+                                        POLYLUME_FIELD(TubeData, "tubes[0].", axis),
+                                        POLYLUME_FIELD(TubeData, "tubes[0].", radiance)};
 const std::vector<Field> kPunctualFields = {
     POLYLUME_FIELD(PunctualData, "punctuals[0].", position),
     POLYLUME_FIELD(PunctualData, "punctuals[0].", direction),
@@ -130,17 +157,26 @@ TEST_P(SharedBlockTest, uniformBlocksLieAsInCpp) {
     EXPECT_EQ(property(gbuffer, GL_UNIFORM_BLOCK, "MaterialBlock", GL_BUFFER_BINDING),
               static_cast<GLint>(shared::kMaterialBinding));
 
-    const gl::Program emitter(gl(), library_, "passes/emitter.vert", "passes/emitter.frag", {},
-                              "emitter");
-    EXPECT_EQ(countMatches(emitter, GL_UNIFORM, kEmitterFields),
-              static_cast<int>(kEmitterFields.size()));
+    const gl::Program flat(gl(), library_, "passes/emitter.vert", "passes/emitter.frag",
+                           std::vector<std::string>{"POLYLUME_TEXTURED_PARALLELOGRAM_LIGHTS",
+                                                    "POLYLUME_TEXTURED_POLYGON_LIGHTS"},
+                           "flat emitter");
+    EXPECT_EQ(countMatches(flat, GL_UNIFORM, kFlatEmitterFields),
+              static_cast<int>(kFlatEmitterFields.size()));
+    const gl::Program solid(gl(), library_, "passes/emitter_solid.vert",
+                            "passes/emitter_solid.frag", {}, "solid emitter");
+    EXPECT_EQ(countMatches(solid, GL_UNIFORM, kSolidEmitterFields),
+              static_cast<int>(kSolidEmitterFields.size()));
 }
 
 TEST_P(SharedBlockTest, lightBuffersLieAsInCpp) {
     const gl::Program lighting(
         gl(), library_, "passes/fullscreen.vert", "passes/lighting.frag",
-        std::vector<std::string>{"POLYLUME_POLYGON_LIGHTS", "POLYLUME_PUNCTUAL_LIGHTS",
-                                 "POLYLUME_DIFFUSE_BURLEY", "POLYLUME_SHEEN"},
+        std::vector<std::string>{
+            "POLYLUME_PARALLELOGRAM_LIGHTS", "POLYLUME_POLYGON_LIGHTS",
+            "POLYLUME_TEXTURED_PARALLELOGRAM_LIGHTS", "POLYLUME_TEXTURED_POLYGON_LIGHTS",
+            "POLYLUME_PUNCTUAL_LIGHTS", "POLYLUME_DISK_LIGHTS", "POLYLUME_ELLIPSE_LIGHTS",
+            "POLYLUME_SPHERE_LIGHTS", "POLYLUME_TUBE_LIGHTS", "POLYLUME_DIFFUSE_BURLEY", "POLYLUME_SHEEN"},
         "lighting");
     EXPECT_EQ(countMatches(lighting, GL_UNIFORM, kLightingFields),
               static_cast<int>(kLightingFields.size()));
@@ -155,12 +191,18 @@ TEST_P(SharedBlockTest, lightBuffersLieAsInCpp) {
     check(kParallelogramFields, sizeof(shared::ParallelogramData));
     check(kPolygonFields, sizeof(shared::PolygonData));
     check(kPunctualFields, sizeof(shared::PunctualData));
+    check(kEllipseFields, sizeof(shared::EllipseData));
+    check(kSphereFields, sizeof(shared::SphereData));
+    check(kTubeFields, sizeof(shared::TubeData));
+    check(kLightTextureFields, sizeof(shared::LightTextureData));
 }
 
 TEST_P(SharedBlockTest, swappedFieldsAreFound) {
-    const gl::Program lighting(gl(), library_, "passes/fullscreen.vert", "passes/lighting.frag", {},
+    const gl::Program lighting(gl(), library_, "passes/fullscreen.vert", "passes/lighting.frag",
+                               std::vector<std::string>{"POLYLUME_PARALLELOGRAM_LIGHTS"},
                                "lighting");
     std::vector<Field> swapped = kParallelogramFields;
+    EXPECT_NE(countMatches(lighting, GL_BUFFER_VARIABLE, swapped), -1);
     std::swap(swapped[1].offset, swapped[2].offset);
     EXPECT_EQ(countMatches(lighting, GL_BUFFER_VARIABLE, swapped), -1);
 }

@@ -60,10 +60,8 @@ class ReferenceGlTest : public test::ReferencePairTest {
                       glm::translate(place, {0.4f, 0.1f, 0.5f}));
         scene.areaLights.push_back(test::makeRectangleLight({-1.5f, 1.8f, -1}, {0.5f, -1, 0.6f},
                                                             {1.6f, 1.0f}, {1000, 800, 600}));
-        scene::AreaLight disk =
-            test::makeRectangleLight({1.5f, 2, 1}, {-0.5f, -1, -0.3f}, {1, 1}, {300, 500, 900});
-        disk.shape = scene::AreaLightShape::disk;
-        scene.areaLights.push_back(disk);
+        scene.areaLights.push_back(
+            test::makeEllipseLight({1.5f, 2, 1}, {-0.5f, -1, -0.3f}, {1, 1}, {300, 500, 900}));
         scene::PunctualLight lamp;
         lamp.position = {1, 2, 2};
         lamp.intensity = {200, 150, 100};
@@ -111,6 +109,75 @@ TEST_P(ReferenceGlTest, agreesOnAlphaHiddenAndTwoSidedLights) {
     }
 }
 
+TEST_P(ReferenceGlTest, agreesUnderRoundLights) {
+    // Balls and tubes above, through and below the floor, seen from outside.
+    scene::Scene scene = lambertScene();
+    scene.areaLights.clear();
+    ViewOptions view = makeView({96, 72});
+    view.lobes = Lobes::all;
+    view.extraLights.spheres = {{{-1.2f, 1.4f, -1.0f}, 0.4f, {1000, 800, 600}},
+                                {{1.6f, 0.1f, 1.0f}, 0.3f, {300, 500, 900}, true}};
+    view.extraLights.tubes = {{{-1.5f, 0.3f, 1.2f}, {-0.3f, 0.8f, 1.6f}, 0.08f, {900, 300, 300}},
+                              {{0.2f, -0.4f, 1.8f}, {0.8f, 0.9f, 1.6f}, 0.05f, {100, 900, 300}}};
+    view.extraLights.ellipses = {
+        {{0, 2.2f, -1}, {0.5f, 0, 0.1f}, {0.05f, -0.2f, -0.3f}, {500, 500, 900}, true}};
+    const PairAgreement agreement =
+        compareRadiance(makePair(scene, lambertCamera(), view, kPathCount), kPlain);
+    EXPECT_GT(agreement.largestValue, 100.0);
+    test::expectAgreement(agreement, "round");
+}
+
+TEST_P(ReferenceGlTest, agreesOnPicturesThatAreSeen) {
+    // Smooth, since the GPU's pictures are resampled to the lights; on a rectangle and a polygon
+    // with a hole, this from behind, too.
+    const auto image = std::make_shared<LightImage>();
+    image->size = {32, 24};
+    for (int y = 0; y < 24; ++y) {
+        for (int x = 0; x < 32; ++x) {
+            const glm::vec2 place((static_cast<float>(x) + 0.5f) / 32.0f,
+                                  (static_cast<float>(y) + 0.5f) / 24.0f);
+            image->texels.emplace_back(0.3f + place.x, 1.0f - 0.6f * place.y,
+                                       0.5f + place.x * place.y);
+        }
+    }
+    scene::Scene scene = lambertScene();
+    scene.areaLights.clear();
+    scene.instances.clear();
+    ViewOptions view = makeView({96, 72});
+    view.lobes = Lobes::all;
+    PolygonLight rectangle{{{{-2, 0, 0}, {0, 0, 0}, {0, 1.5f, 0.5f}, {-2, 1.5f, 0.5f}}},
+                           {1000, 800, 600}};
+    rectangle.texture = LightTexture{image, {-2, 1.5f, 0.5f}, {2, 0, 0}, {0, -1.5f, -0.5f}};
+    PolygonLight polygon{{{{0.3f, -0.4f, 0}, {2.2f, 0, 0}, {1.5f, 1.8f, 0}},
+                          {{1, 0.2f, 0}, {1.2f, 0.8f, 0}, {1.5f, 0.3f, 0}}},
+                         {300, 500, 900}};
+    polygon.texture = LightTexture{image, {0.3f, 1.8f, 0}, {1.9f, 0.1f, 0}, {0.1f, -2.2f, 0}};
+    polygon.twoSided = true;
+    view.extraLights.polygons = {rectangle, polygon};
+    for (const float side : {1.0f, -1.0f}) {
+        const scene::Camera camera =
+            test::makeCamera({0.4f, 1.0f, 4.0f * side}, {0, 0.7f, 0}, 0.8f);
+        const PairAgreement agreement = compareRadiance(makePair(scene, camera, view, 16), 0.02);
+        EXPECT_GT(agreement.largestValue, 300.0);
+        EXPECT_GE(agreement.share(), 0.995);
+        RecordProperty("off", std::to_string(1.0 - agreement.share()));
+    }
+}
+
+TEST_P(ReferenceGlTest, agreesInsideALightThatShinesInwards) {
+    scene::Scene scene = lambertScene();
+    scene.areaLights.clear();
+    ViewOptions view = makeView({64, 48});
+    view.lobes = Lobes::all;
+    view.extraLights.spheres = {{{0.2f, 0.5f, 0.1f}, 9.0f, {100, 80, 60}, true}};
+    test::expectAgreement(
+        compareRadiance(makePair(scene, lambertCamera(), view, kPathCount), kPlain), "sphere");
+    view.extraLights.spheres.clear();
+    view.extraLights.tubes = {{{-3, 0.5f, 0.1f}, {2, 0, 1}, 9.0f, {100, 80, 60}, true}};
+    test::expectAgreement(
+        compareRadiance(makePair(scene, lambertCamera(), view, kPathCount), kPlain), "tube");
+}
+
 TEST_P(ReferenceGlTest, agreesThroughAnOrthographicCamera) {
     scene::Camera camera = lambertCamera();
     scene::Orthographic lens;
@@ -128,7 +195,9 @@ TEST_P(ReferenceGlTest, theComparisonFindsALightOffByAHundredth) {
     scene::Scene scene = lambertScene();
     const ViewOptions view = makeView({64, 48});
     test::PicturePair pair = makePair(scene, lambertCamera(), view, 4 * kPathCount);
-    for (scene::AreaLight& light : scene.areaLights) light.radiance *= 1.01f;
+    for (scene::AreaLight& light : scene.areaLights) {
+        std::visit([](auto& shape) { shape.radiance *= 1.01f; }, light.shape);
+    }
     scene.punctualLights.front().intensity *= 1.01f;
     pair.drawn = makePair(scene, lambertCamera(), view, 16).drawn;
     const PairAgreement agreement = compareRadiance(pair, kPlain);

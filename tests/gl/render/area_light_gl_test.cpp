@@ -115,8 +115,8 @@ TEST_P(AreaLightTest, aSunkenLightDoesNotReachBelowTheFloor) {
     RenderOptions options = test::makeOptions(kSize);
     options.hideLights = true;
     const Frame sunken = drawFrame(scene, floorCamera(), options);
-    scene.areaLights.front().center.y = 0.5f;
-    scene.areaLights.front().size.y = 1.0f;
+    scene.areaLights.front() =
+        test::makeRectangleLight({0, 0.5f, -1}, {0, 0, 1}, {2.0f, 1.0f}, glm::vec3(1000.0f));
     const Frame upper = drawFrame(scene, floorCamera(), options);
     float largest = 0.0f;
     for (std::size_t i = 0; i < upper.radiance.size(); ++i) {

@@ -156,8 +156,7 @@ TEST_P(BlendTest, isLitAsAnOpaqueSurfaceIs) {
     scene.areaLights.push_back(
         test::makeRectangleLight({2, 3, 2}, {-2, -3, -2}, {1.5f, 1.0f}, {900, 800, 700}));
     scene.areaLights.push_back(
-        test::makeRectangleLight({-3, 1, 2}, {3, -1, -2}, {1.0f, 1.0f}, {200, 400, 800}));
-    scene.areaLights.back().shape = scene::AreaLightShape::disk;
+        test::makeEllipseLight({-3, 1, 2}, {3, -1, -2}, {1.0f, 1.0f}, {200, 400, 800}));
     scene.punctualLights.emplace_back().position = {0, 4, 1};
     scene.punctualLights.back().intensity = glm::vec3(900.0f);
     RenderOptions options = test::makeOptions({64, 64});

@@ -107,18 +107,25 @@ inline void addMesh(scene::Scene& scene, scene::Mesh mesh, const scene::Material
     scene.instances.push_back(instance);
 }
 
-/// A rectangle around `center` that emits toward `direction`.
-inline scene::AreaLight makeRectangleLight(const glm::vec3& center, const glm::vec3& direction,
-                                           glm::vec2 size, const glm::vec3& nits) {
-    scene::AreaLight light;
-    light.center = center;
-    light.size = size;
-    light.radiance = nits;
+/// Where a flat light around `center` is that emits toward `direction`.
+inline scene::LightFrame makeLightFrame(const glm::vec3& center, const glm::vec3& direction) {
     const glm::vec3 z = -glm::normalize(direction);
     const glm::vec3 x = glm::normalize(
         glm::cross(std::abs(z.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(0, 0, 1), z));
-    light.worldFromLight = glm::mat3(x, glm::cross(z, x), z);
-    return light;
+    return {center, glm::mat3(x, glm::cross(z, x), z)};
+}
+
+inline scene::AreaLight makeRectangleLight(const glm::vec3& center, const glm::vec3& direction,
+                                           glm::vec2 size, const glm::vec3& nits,
+                                           bool twoSided = false) {
+    PolygonLight light = scene::makeRectangle(makeLightFrame(center, direction), size, nits);
+    light.twoSided = twoSided;
+    return {"rectangle", light, "test"};
+}
+
+inline scene::AreaLight makeEllipseLight(const glm::vec3& center, const glm::vec3& direction,
+                                         glm::vec2 size, const glm::vec3& nits) {
+    return {"ellipse", scene::makeEllipse(makeLightFrame(center, direction), size, nits), "test"};
 }
 
 }  // namespace polylume::test

@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "figures/comparison_scenes.hpp"
 #include "figures/diverging_color.hpp"
 #include "figures/error_measures.hpp"
+#include "figures/shape_scenes.hpp"
 #include "lights/light.hpp"
 
 namespace polylume::figures {
@@ -70,14 +72,67 @@ TEST(ComparisonScenes, lightsFaceTheFloorInFrontOfThem) {
     for (const scene::Scene& scene : scenes) {
         ASSERT_EQ(scene.areaLights.size(), 1u);
         ASSERT_EQ(scene.cameras.size(), 1u);
-        EXPECT_GT(areaVector(scene::corners(scene.areaLights[0])).z, 0.0);
+        const auto& light = std::get<PolygonLight>(scene.areaLights[0].shape);
+        EXPECT_GT(areaVector(light.contours.front()).z, 0.0);
     }
-    const scene::AreaLight& light = scenes[0].areaLights[0];
-    EXPECT_EQ(light.center, glm::vec3(0.0f, 2.0f, -6.0f));
-    EXPECT_EQ(light.size, glm::vec2(8.0f, 3.0f));
+    const auto& wall = std::get<PolygonLight>(scenes[0].areaLights[0].shape);
+    EXPECT_EQ(wall.contours.front()[0], glm::vec3(4.0f, 0.5f, -6.0f));
+    EXPECT_EQ(wall.contours.front()[2], glm::vec3(-4.0f, 3.5f, -6.0f));
     const glm::mat4& camera = scenes[0].cameras[0].worldFromCamera;
     EXPECT_NEAR(camera[3].z, 10.0f, 1e-5f);
     EXPECT_LT(-camera[2].z, -0.9f);  // Looks along -z, down a little.
+}
+
+TEST(ShapeScenes, haveOneLightEachOfEveryShape) {
+    std::set<std::string> names;
+    std::set<std::size_t> shapes;
+    int filmCount = 0, holeCount = 0, twoSidedCount = 0, quickCount = 0;
+    for (const ShapeCase& shown : shapeCases(0.2)) {
+        EXPECT_TRUE(names.insert(shown.name).second) << shown.name;
+        quickCount += shown.shownQuick;
+        ASSERT_EQ(shown.scene.areaLights.size(), 1u);
+        shapes.insert(shown.scene.areaLights[0].shape.index());
+        const auto* light = std::get_if<PolygonLight>(&shown.scene.areaLights[0].shape);
+        if (light == nullptr) continue;
+        filmCount += light->texture.has_value();
+        twoSidedCount += light->twoSided;
+        if (light->twoSided) continue;
+        for (std::size_t i = 0; i < light->contours.size(); ++i) {
+            // Outlines turn toward the floor in front, holes the other way.
+            const double turn = areaVector(light->contours[i]).z;
+            EXPECT_TRUE(i == 0 ? turn > 0.0 : turn < 0.0) << shown.name;
+            holeCount += i > 0;
+        }
+    }
+    EXPECT_EQ(shapes.size(), 4u);
+    EXPECT_EQ(filmCount, 3);
+    EXPECT_EQ(holeCount, 1);
+    EXPECT_EQ(twoSidedCount, 1);
+    EXPECT_GE(quickCount, 3);
+}
+
+TEST(ShapeScenes, picturesAreUprightAndOfFactorsUpToOne) {
+    for (const ShapeCase& shown : shapeCases(0.2)) {
+        const auto* light = std::get_if<PolygonLight>(&shown.scene.areaLights[0].shape);
+        if (light == nullptr || !light->texture) continue;
+        const LightTexture& texture = *light->texture;
+        // From the floor in front, that is from +z: the first corner is the lower left one.
+        const std::vector<glm::vec3>& corners = light->contours.front();
+        const glm::dvec2 expected[] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
+        for (std::size_t i = 0; i < 4; ++i) {
+            const glm::dvec2 found = textureCoordinates(texture, glm::dvec3(corners[i]));
+            EXPECT_LT(glm::distance(found, expected[i]), 1e-12) << shown.name << " " << i;
+        }
+        glm::vec3 low(1.0f), high(0.0f);
+        for (const glm::vec3& texel : texture.image->texels) {
+            low = glm::min(low, texel);
+            high = glm::max(high, texel);
+        }
+        EXPECT_TRUE(glm::all(glm::greaterThanEqual(low, glm::vec3(0.0f)))) << shown.name;
+        EXPECT_TRUE(glm::all(glm::lessThanEqual(high, glm::vec3(1.0f)))) << shown.name;
+        // None is even.
+        EXPECT_TRUE(glm::all(glm::greaterThan(high - low, glm::vec3(0.2f)))) << shown.name;
+    }
 }
 
 TEST(DivergingColor, isBlueBelowRedAboveAndEquallyStrong) {

@@ -88,11 +88,22 @@ TEST(GlslValidationTest, everyEntryPointIsValid) {
     for (const std::string& path : paths) EXPECT_EQ(validate(path, {}), "") << path;
 }
 
+const std::vector<std::string> kLightDefines = {"POLYLUME_PARALLELOGRAM_LIGHTS",
+                                                "POLYLUME_TRIANGLE_LIGHTS",
+                                                "POLYLUME_POLYGON_LIGHTS",
+                                                "POLYLUME_TEXTURED_PARALLELOGRAM_LIGHTS",
+                                                "POLYLUME_TEXTURED_POLYGON_LIGHTS",
+                                                "POLYLUME_DISK_LIGHTS",
+                                                "POLYLUME_ELLIPSE_LIGHTS",
+                                                "POLYLUME_SPHERE_LIGHTS",
+                                                "POLYLUME_TUBE_LIGHTS",
+                                                "POLYLUME_PUNCTUAL_LIGHTS"};
+
 TEST(GlslValidationTest, everyLightVariantIsValid) {
-    const std::vector<std::string> all = {"POLYLUME_POLYGON_LIGHTS", "POLYLUME_PUNCTUAL_LIGHTS"};
-    EXPECT_EQ(validate("passes/lighting.frag", {all[0]}), "");
-    EXPECT_EQ(validate("passes/lighting.frag", {all[1]}), "");
-    EXPECT_EQ(validate("passes/lighting.frag", all), "");
+    for (const std::string& lights : kLightDefines) {
+        EXPECT_EQ(validate("passes/lighting.frag", {lights}), "") << lights;
+    }
+    EXPECT_EQ(validate("passes/lighting.frag", kLightDefines), "");
 }
 
 TEST(GlslValidationTest, everyModelVariantIsValid) {
@@ -103,12 +114,13 @@ TEST(GlslValidationTest, everyModelVariantIsValid) {
     };
     for (const std::string& define : all) {
         EXPECT_EQ(validate("passes/lighting.frag", {define}), "") << define;
-        for (const std::string lights : {"POLYLUME_POLYGON_LIGHTS", "POLYLUME_PUNCTUAL_LIGHTS"}) {
+        for (const std::string& lights : kLightDefines) {
             EXPECT_EQ(validate("passes/lighting.frag", {define, lights}), "") << define << lights;
         }
         EXPECT_EQ(validate("passes/blend.frag", {define}), "") << define;
     }
-    for (const char* path : {"passes/gbuffer.frag", "passes/emitter.frag"}) {
+    for (const char* path :
+         {"passes/gbuffer.frag", "passes/emitter.frag", "passes/emitter_solid.frag"}) {
         EXPECT_EQ(validate(path, {"POLYLUME_SHEEN"}), "") << path;
     }
     for (const std::string& diffuse : {all[2], all[3]}) {

@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <ostream>
 #include <random>
 
+#include "light_samples.hpp"
 #include "ltc/polygon_integral.hpp"
 #include "reference_scenes.hpp"
 
@@ -22,6 +22,8 @@ struct Case {
     std::string name;
     AreaEmitter emitter;
     std::vector<ltc::Contour> contours;  ///< In the frame; of an ellipse a fine outline.
+
+    const FlatEmitter& flat() const { return std::get<FlatEmitter>(emitter); }
 };
 
 /// An L with a hole, facing -z, moved and scaled.
@@ -41,7 +43,7 @@ PolygonLight rectangle(const glm::vec3& center, const glm::vec3& x, const glm::v
 }
 
 Case caseOf(const std::string& name, const PolygonLight& light) {
-    Case result{name, areaEmitters({{light}, {}}).at(0), {}};
+    Case result{name, flatEmitter(light), {}};
     for (const auto& contour : light.contours) {
         result.contours.emplace_back(contour.begin(), contour.end());
     }
@@ -50,7 +52,7 @@ Case caseOf(const std::string& name, const PolygonLight& light) {
 
 Case caseOf(const std::string& name, const EllipseLight& light) {
     Case result = caseOf(name, PolygonLight{{outline(light, 4000)}});
-    result.emitter = areaEmitters({{}, {}, {light}}).at(0);
+    result.emitter = flatEmitter(light);
     return result;
 }
 
@@ -92,7 +94,7 @@ struct PlaneSums {
 
 PlaneSums sumOverPlane(const Case& c, const LightView& view, bool byArea) {
     glm::dvec2 low(INFINITY), high(-INFINITY);
-    for (const PlanarContour& part : c.emitter.parts) {
+    for (const PlanarContour& part : c.flat().parts) {
         for (const glm::dvec2& vertex : part) {
             low = glm::min(low, vertex);
             high = glm::max(high, vertex);
@@ -101,17 +103,17 @@ PlaneSums sumOverPlane(const Case& c, const LightView& view, bool byArea) {
     constexpr int kSteps = 500;
     PlaneSums sums;
     const glm::dvec2 step = (high - low) / static_cast<double>(kSteps);
-    const double area = step.x * step.y * glm::length(glm::cross(c.emitter.axisX, c.emitter.axisY));
+    const double area = step.x * step.y * glm::length(glm::cross(c.flat().axisX, c.flat().axisY));
     for (int j = 0; j < kSteps; ++j) {
         for (int i = 0; i < kSteps; ++i) {
             const glm::dvec2 planar = low + (glm::dvec2(i, j) + 0.5) * step;
-            if (!c.emitter.contains(planar)) continue;
+            if (!c.flat().contains(planar)) continue;
             const glm::dvec3 point =
-                c.emitter.origin + planar.x * c.emitter.axisX + planar.y * c.emitter.axisY;
+                c.flat().origin + planar.x * c.flat().axisX + planar.y * c.flat().axisY;
             const double square = glm::dot(point, point);
             const glm::dvec3 direction = point / std::sqrt(square);
             const double solidAngle =
-                area * std::abs(glm::dot(direction, c.emitter.normal)) / square;
+                area * std::abs(glm::dot(direction, c.flat().normal)) / square;
             const bool isAbove = point.z > 0.0;
             if (isAbove) sums.solidAngle += solidAngle;
             // Directions below the horizon are not sampled but by area.
@@ -121,64 +123,13 @@ PlaneSums sumOverPlane(const Case& c, const LightView& view, bool byArea) {
     return sums;
 }
 
-/// A way to sample lights.
-struct Way {
-    std::string name;
-    std::vector<LobeShape> lobes;
-    LightSampling sampling = LightSampling::solidAngle;
-};
-
-void PrintTo(const Way& way, std::ostream* stream) {
-    *stream << way.name;
-}
-
-std::vector<Way> ways() {
-    // M^-1 by columns: narrower than the cosine, leaning to one side.
-    const glm::dmat3 stretched(1.0, 0.0, -0.4, 0.0, 1.2, 0.0, 0.5, 0.0, 0.6);
-    const LobeShape even;
-    return {{"even", {even}},
-            {"stretched", {{stretched, 1.0}}},
-            {"mixed", {{glm::dmat3(1.0), 0.4}, {stretched, 0.6}, {2.0 * stretched, 0.0}}},
-            {"area", {even}, LightSampling::area}};
-}
-
-class LightViewTest : public ::testing::TestWithParam<Way> {
+class LightViewTest : public ::testing::TestWithParam<testing::Way> {
   protected:
     static bool isByArea() { return GetParam().sampling == LightSampling::area; }
     static LightView viewOf(const AreaEmitter& emitter, const ShadingFrame& frame = {}) {
         return {emitter, frame, GetParam().lobes, GetParam().sampling};
     }
 };
-
-/// Mean and standard error of a sum over samples.
-struct Estimate {
-    double sum = 0.0, squares = 0.0;
-    int count = 0;
-
-    void add(double value) {
-        sum += value;
-        squares += value * value;
-        ++count;
-    }
-    double mean() const { return sum / count; }
-    double error() const {
-        return std::sqrt(std::max(squares / count - mean() * mean(), 0.0) / count);
-    }
-};
-
-template <typename Value>
-Estimate estimate(const LightView& view, const Value& value) {
-    std::mt19937_64 generator(7);
-    std::uniform_real_distribution<double> unit;
-    Estimate result;
-    for (int i = 0; i < 40000; ++i) {
-        const double x = unit(generator), y = unit(generator);
-        const LightSample sample = view.sample({x, y});
-        const bool isLit = sample.density > 0.0 && sample.direction.z > 0.0;
-        result.add(isLit ? value(sample) / sample.density : 0.0);
-    }
-    return result;
-}
 
 TEST_P(LightViewTest, densityIntegratesToOne) {
     for (const Case& c : cases()) {
@@ -192,7 +143,7 @@ TEST_P(LightViewTest, densityIntegratesToOne) {
             if (view.sample(random).density > 0.0) ++hits;
         }
         const double expected = static_cast<double>(hits) / (kSide * kSide);
-        EXPECT_GT(expected, c.emitter.shape == AreaEmitter::Shape::ellipse ? 0.9 : 0.999) << c.name;
+        EXPECT_GT(expected, c.flat().shape == FlatEmitter::Shape::ellipse ? 0.9 : 0.999) << c.name;
         // The grid's cells at the outline: some thousandths.
         EXPECT_NEAR(sumOverPlane(c, view, isByArea()).density, expected, 0.01) << c.name;
     }
@@ -202,7 +153,8 @@ TEST_P(LightViewTest, oneOverTheDensityIsTheSolidAngleInTheMean) {
     for (const Case& c : cases()) {
         const LightView view = viewOf(c.emitter);
         const double expected = sumOverPlane(c, view, isByArea()).solidAngle;
-        const Estimate found = estimate(view, [](const LightSample&) { return 1.0; });
+        const testing::Estimate found =
+            testing::estimate(view, [](const LightSample&) { return 1.0; });
         EXPECT_NEAR(found.mean(), expected, 4.0 * found.error() + 0.01 * expected) << c.name;
     }
 }
@@ -211,7 +163,7 @@ TEST_P(LightViewTest, theCosineOverPiIsTheFormFactorInTheMean) {
     for (const Case& c : cases()) {
         const LightView view = viewOf(c.emitter);
         const double expected = ltc::formFactor(c.contours);
-        const Estimate found = estimate(view, [](const LightSample& sample) {
+        const testing::Estimate found = testing::estimate(view, [](const LightSample& sample) {
             return sample.direction.z * std::numbers::inv_pi;
         });
         ASSERT_GT(expected, 0.0) << c.name;
@@ -251,13 +203,14 @@ TEST_P(LightViewTest, aTurnedFrameChangesNothing) {
     const glm::dvec3 z = glm::normalize(glm::dvec3(1, 2, -1));
     const glm::dvec3 x = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), z));
     const ShadingFrame frame{{3, -1, 2}, {x, glm::cross(z, x), z}};
-    AreaEmitter moved = c.emitter;
+    FlatEmitter moved = c.flat();
     moved.origin = frame.position + frame.toWorld(moved.origin);
     moved.axisX = frame.toWorld(moved.axisX);
     moved.axisY = frame.toWorld(moved.axisY);
     moved.normal = frame.toWorld(moved.normal);
     const LightView plain = viewOf(c.emitter);
-    const LightView turned = viewOf(moved, frame);
+    const AreaEmitter movedLight = moved;
+    const LightView turned = viewOf(movedLight, frame);
     for (const glm::dvec2 random : {glm::dvec2(0.1, 0.2), {0.9, 0.5}, {0.4, 0.99}}) {
         const LightSample a = plain.sample(random), b = turned.sample(random);
         EXPECT_LT(glm::length(a.direction - b.direction), 1e-9);
@@ -268,7 +221,7 @@ TEST_P(LightViewTest, aTurnedFrameChangesNothing) {
 
 TEST_P(LightViewTest, lightsThatDoNotReachThePointAreDark) {
     const auto isDark = [](const PolygonLight& light) {
-        const AreaEmitter emitter = areaEmitters({{light}, {}}).at(0);
+        const AreaEmitter emitter = flatEmitter(light);
         return viewOf(emitter).isDark();
     };
     PolygonLight light = rectangle({0, 0, 1}, {1, 0, 0}, {0, -1, 0});
@@ -286,28 +239,7 @@ TEST_P(LightViewTest, lightsThatDoNotReachThePointAreDark) {
     EXPECT_TRUE(isDark(edgeOn));
 }
 
-TEST(AreaEmitterTest, lightsWithoutAreaAreLeftOut) {
-    LightSet lights;
-    lights.polygons = {rectangle({0, 0, 1}, {1, 0, 0}, {2, 0, 0})};
-    lights.ellipses = {{{0, 0, 1}, {1, 0, 0}, {0, 0, 0}}};
-    EXPECT_TRUE(areaEmitters(lights).empty());
-    lights.polygons.push_back(rectangle({0, 0, 1}, {1, 0, 0}, {0, 2, 0}));
-    ASSERT_EQ(areaEmitters(lights).size(), 1u);
-    EXPECT_NEAR(areaEmitters(lights)[0].area, 8.0, 1e-12);
-    EXPECT_EQ(areaEmitters(lights)[0].shape, AreaEmitter::Shape::rectangle);
-}
-
-TEST(AreaEmitterTest, aBentRectangleIsAPolygon) {
-    PolygonLight light = rectangle({0, 0, 1}, {1, 0, 0}, {0.01f, 2, 0});
-    EXPECT_EQ(areaEmitters({{light}, {}}).at(0).shape, AreaEmitter::Shape::polygon);
-    EXPECT_NEAR(areaEmitters({{light}, {}}).at(0).area, 8.0, 1e-6);
-}
-
-std::string nameOf(const ::testing::TestParamInfo<Way>& way) {
-    return way.param.name;
-}
-
-INSTANTIATE_TEST_SUITE_P(, LightViewTest, ::testing::ValuesIn(ways()), nameOf);
+INSTANTIATE_TEST_SUITE_P(, LightViewTest, ::testing::ValuesIn(testing::ways()), testing::wayName);
 
 }  // namespace
 }  // namespace polylume::reference

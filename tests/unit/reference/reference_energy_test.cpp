@@ -101,5 +101,60 @@ TEST(FurnaceTest, ggxLosesWhatItsAlbedoLacks) {
     }
 }
 
+TEST(FurnaceTest, inABallOrATubeThatShinesInwards) {
+    // No walls: the light is the furnace.
+    const scene::Camera camera = test::makeCamera({0, 0.5f, 2.9f}, {0, 0, 0}, 0.6f);
+    LightSet ball, tube;
+    ball.spheres = {{{0.1f, 0.2f, 0.3f}, 5.0f, glm::vec3(kNits), true}};
+    tube.tubes = {{{-3, 0.2f, 0.3f}, {4, 0, 1}, 2.0f, glm::vec3(kNits), true}};
+    for (const LightSet& lights : {ball, tube}) {
+        for (const float roughness : {0.1f, 0.4f, 1.0f}) {
+            const scene::Scene scene =
+                testing::sceneOf(test::makeSphere(24), testing::whiteMetal(roughness));
+            ReferenceOptions options = testing::plainOptions({32, 32}, 128);
+            options.extraLights = lights;
+            const FloatImage image = testing::trace(scene, camera, options);
+            const testing::Agreement agreement =
+                testing::compare(image, GgxAlbedo(camera, roughness));
+            const std::string name = "r = " + std::to_string(roughness);
+            EXPECT_GT(agreement.pixelCount, 300u) << name;
+            EXPECT_GE(agreement.shareWithin4, 0.99) << name;
+            EXPECT_LE(std::abs(agreement.relativeMeanError), 1e-3) << name;
+        }
+    }
+}
+
+TEST(FurnaceTest, aFarBallIsTheDiskThatItLooksLike) {
+    const scene::Camera camera = test::makeCamera({0, 2.0f, 4.0f}, {0, 0, 0}, 0.6f);
+    for (const float roughness : {0.05f, 0.3f, 0.8f}) {
+        const scene::Scene scene =
+            testing::sceneOf(test::makeFloor(1.0f), testing::whiteMetal(roughness));
+        ReferenceOptions options = testing::plainOptions({32, 24}, 1024);
+        const glm::vec3 center(0, 2e3f, -4e3f);
+        const glm::vec3 toward = -glm::normalize(center);
+        const glm::vec3 side(1, 0, 0);
+        options.extraLights.spheres = {{center, 2e2f, glm::vec3(kNits)}};
+        const FloatImage ball = testing::trace(scene, camera, options);
+        // As the cone is seen: sine of the angle 1 / sqrt(500), so the disk is a little larger.
+        const float radius = 2e2f / std::sqrt(1.0f - 4e4f / glm::dot(center, center));
+        options.extraLights = {};
+        options.extraLights.ellipses = {
+            {center, radius * side, radius * glm::cross(toward, side), glm::vec3(kNits)}};
+        options.seed = 1;
+        const FloatImage disk = testing::trace(scene, camera, options);
+        double sumBall = 0.0, sumDisk = 0.0, square = 0.0;
+        for (std::size_t i = 0; i < ball.pixels.size() / ball.channelCount(); ++i) {
+            sumBall += testing::color(ball, i).r;
+            sumDisk += testing::color(disk, i).r;
+            const double a = testing::layer(ball, "standardError", i).r;
+            const double b = testing::layer(disk, "standardError", i).r;
+            square += a * a + b * b;
+        }
+        // The floor moves under the disk by 1e-3 of the distance.
+        EXPECT_NEAR(sumBall / sumDisk, 1.0, 4.0 * std::sqrt(square) / sumDisk + 1e-3) << roughness;
+        EXPECT_GT(sumDisk, 1.0);
+    }
+}
+
 }  // namespace
 }  // namespace polylume::reference

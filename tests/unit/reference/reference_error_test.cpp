@@ -31,15 +31,24 @@ ReferenceOptions makeNoisyOptions(int pathCount) {
     return options;
 }
 
+/// Of lights of all other shapes.
+ReferenceOptions makeRoundOptions(int pathCount) {
+    ReferenceOptions options = makeNoisyOptions(pathCount);
+    options.extraLights.polygons[0].texture =
+        testing::makePicture({4, 3}, {-1, 1.2f, -1.5f}, {2, 0, 0}, {0, 0.6f, 1});
+    options.extraLights.spheres = {{{0.8f, 0.5f, -0.4f}, 0.2f, glm::vec3(2000.0f)}};
+    options.extraLights.tubes = {{{-1, 1.0f, 0.6f}, {1, 1.2f, 0.4f}, 0.05f, glm::vec3(3000.0f)}};
+    return options;
+}
+
 const scene::Camera kCamera = test::makeCamera({0, 2, 3}, {0, 0, 0}, 0.6f);
 
-TEST(StandardErrorTest, isTheSpreadOverSeeds) {
+void expectErrorToBeTheSpread(ReferenceOptions options) {
     constexpr int kSeedCount = 32;
     const scene::Scene scene = makeNoisyScene();
     const std::size_t pixelCount = 20 * 15;
     std::vector<double> sum(pixelCount), squares(pixelCount), claimed(pixelCount);
     for (int seed = 0; seed < kSeedCount; ++seed) {
-        ReferenceOptions options = makeNoisyOptions(64);
         options.seed = static_cast<std::uint32_t>(seed);
         const FloatImage image = testing::trace(scene, kCamera, options);
         for (std::size_t i = 0; i < pixelCount; ++i) {
@@ -68,20 +77,28 @@ TEST(StandardErrorTest, isTheSpreadOverSeeds) {
     EXPECT_NEAR(ratioSum / count, 1.0, 4.0 * std::sqrt(2.0 / 31.0 / count) + 0.01);
     // 0.1 % on either side for normal estimates; those of few paths at shadow borders are less so.
     EXPECT_LE(outside, count / 50);
-    RecordProperty("mean ratio", std::to_string(ratioSum / count));
+    ::testing::Test::RecordProperty("mean ratio", std::to_string(ratioSum / count));
+}
+
+TEST(StandardErrorTest, isTheSpreadOverSeeds) {
+    expectErrorToBeTheSpread(makeNoisyOptions(64));
+}
+
+TEST(StandardErrorTest, isTheSpreadOverSeedsUnderRoundAndTexturedLights) {
+    expectErrorToBeTheSpread(makeRoundOptions(64));
 }
 
 TEST(StandardErrorTest, fallsFasterThanByTheRootOfThePaths) {
     const scene::Scene scene = makeNoisyScene();
-    const auto errorAt = [&](int pathCount) {
-        const ReferenceOptions options = makeNoisyOptions(pathCount);
+    const auto errorOf = [&](const ReferenceOptions& options) {
         ReferenceTracer tracer(scene, kCamera, options);
         Progress progress;
         tracer.run(progress);
         return tracer.relativeError();
     };
     // Sixteen times the paths: a quarter of the error by the root; measured about a sixth.
-    EXPECT_LT(errorAt(1024) / errorAt(64), 0.2);
+    EXPECT_LT(errorOf(makeNoisyOptions(1024)) / errorOf(makeNoisyOptions(64)), 0.2);
+    EXPECT_LT(errorOf(makeRoundOptions(1024)) / errorOf(makeRoundOptions(64)), 0.2);
 }
 
 TEST(StandardErrorTest, theRelativeErrorIsThatOfThePicture) {
@@ -215,6 +232,19 @@ TEST(ReferenceOptionsTest, badOnesAreRefused) {
         {"AOV", [](ReferenceOptions& o) { o.aovs = {"colour"}; }},
         {"radiance of polygon light 0",
          [](ReferenceOptions& o) { o.extraLights.polygons[0].radiance.y = -1.0f; }},
+        {"not to cross itself",
+         [](ReferenceOptions& o) {
+             o.extraLights.polygons[0].contours = {
+                 {{-1, 1, -1}, {1, 1, 1}, {1, 1, -1}, {-1, 1, 1}, {0, 1, 3}}};
+         }},
+        {"a finite radius of 0 or more of sphere light 0",
+         [](ReferenceOptions& o) {
+             o.extraLights.spheres = {{{0, 1, 0}, -1.0f}};
+         }},
+        {"radius of 0 or more of tube light 0",
+         [](ReferenceOptions& o) {
+             o.extraLights.tubes = {{{0, 1, 0}, {0, NAN, 0}}};
+         }},
         {"finite vertices in polygon light 0",
          [](ReferenceOptions& o) { o.extraLights.polygons[0].contours[0][2].x = INFINITY; }},
     };

@@ -58,6 +58,17 @@ PolygonLight rectangleLight(const glm::vec3& center, const glm::vec3& halfX, con
     return {{rectangleMesh(center, halfX, halfY).positions}, nits};
 }
 
+LightTexture makePicture(glm::ivec2 size, const glm::vec3& origin, const glm::vec3& axisU,
+                         const glm::vec3& axisV) {
+    const auto image = std::make_shared<LightImage>();
+    image->size = size;
+    for (int i = 0; i < size.x * size.y; ++i) {
+        const auto level = [i](int factor) { return static_cast<float>(factor * i % 11) / 10.0f; };
+        image->texels.emplace_back(level(3), level(5), level(7));
+    }
+    return {image, origin, axisU, axisV};
+}
+
 std::vector<Side> cubeSides(float half) {
     std::vector<Side> sides;
     for (int axis = 0; axis < 3; ++axis) {

@@ -33,6 +33,10 @@ scene::Mesh rectangleMesh(const glm::vec3& center, const glm::vec3& halfX, const
 PolygonLight rectangleLight(const glm::vec3& center, const glm::vec3& halfX, const glm::vec3& halfY,
                             const glm::vec3& nits);
 
+/// A picture of `size` texels from 0 to 1 that differ much, and where it lies.
+LightTexture makePicture(glm::ivec2 size, const glm::vec3& origin, const glm::vec3& axisU,
+                         const glm::vec3& axisV);
+
 /// Six squares that close the cube of half edge `half` and face inward: light.center and so on of
 /// each in turn.
 struct Side {

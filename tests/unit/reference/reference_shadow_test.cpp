@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "reference_scenes.hpp"
 #include "support/test_scenes.hpp"
@@ -219,6 +220,96 @@ TEST_F(ShadowTest, whatIsBehindTheLightCastsNone) {
             return glm::dvec3(kAlbedo * testing::formFactor(lightOf(kLight), position) * kNits.x);
         });
     testing::expectAgreement(agreement, "ceiling");
+}
+
+/// A ball and what is left of its form factor where a blocker hides a part: by midpoints over the
+/// cone that is seen.
+class BallShadowTest : public ShadowTest {
+  protected:
+    BallShadowTest() {
+        options_.extraLights = {};
+        options_.extraLights.spheres = {kBall};
+        // Where few paths see a sliver of it, replicates are not normal.
+        options_.pathCount = 8192;
+    }
+    static double leftOfBall(const Extent& blocker, const glm::dvec3& position) {
+        constexpr int kSteps = 240;
+        static const std::vector<glm::dvec2> circle = [] {
+            std::vector<glm::dvec2> points;
+            for (int i = 0; i < kSteps; ++i) {
+                const double azimuth = 2.0 * std::numbers::pi * (i + 0.5) / kSteps;
+                points.emplace_back(std::cos(azimuth), std::sin(azimuth));
+            }
+            return points;
+        }();
+        const glm::dvec3 offset = glm::dvec3(kBall.center) - position;
+        const double distance = glm::length(offset);
+        const glm::dvec3 z = offset / distance;
+        const glm::dvec3 x = glm::normalize(glm::cross(z, glm::dvec3(0.6, 0, 0.8)));
+        const glm::dvec3 y = glm::cross(z, x);
+        // Of directions d, even in d.x^2 + d.y^2, what is seen has the height's share of cosines.
+        double sum = 0.0;
+        const double square = kBall.radius * kBall.radius / (distance * distance);
+        for (int j = 0; j < kSteps; ++j) {
+            const double sineSquare = (j + 0.5) / kSteps * square;
+            const double sine = std::sqrt(sineSquare), cosine = std::sqrt(1.0 - sineSquare);
+            for (const glm::dvec2& aside : circle) {
+                const glm::dvec3 direction = cosine * z + sine * (aside.x * x + aside.y * y);
+                const glm::dvec3 through = position + kBlockerHeight / direction.y * direction;
+                const glm::dvec2 place(through.x, through.z);
+                const bool isHidden = glm::all(glm::greaterThan(place, blocker.low)) &&
+                                      glm::all(glm::lessThan(place, blocker.high));
+                if (!isHidden) sum += direction.y / cosine;
+            }
+        }
+        return sum * square / (kSteps * kSteps);
+    }
+    testing::Agreement compareWithBlockerAt(double height, const Extent& claimed) {
+        scene::Scene scene =
+            testing::sceneOf(test::makeFloor(6.0f), testing::lambertMaterial(glm::vec3(kAlbedo)));
+        scene::Mesh blocker = blockerOf(kBlocker);
+        for (glm::vec3& position : blocker.positions) position.y = static_cast<float>(height);
+        testing::addMesh(scene, blocker, blockerMaterial(scene::AlphaMode::opaque, 1.0f));
+        return testing::compare(
+            testing::trace(scene, camera_, options_),
+            [&](const glm::dvec3& position, const glm::dvec3&) {
+                return glm::dvec3(kAlbedo * leftOfBall(claimed, position) * kNits.x);
+            });
+    }
+
+    static constexpr Extent kNothing{{0, 0}, {0, 0}};
+    static inline const SphereLight kBall{{0.1f, 2.0f, 0.05f}, 0.5f, kNits};
+};
+
+TEST_F(BallShadowTest, penumbraIsWhatIsLeftOfTheBall) {
+    testing::expectAgreement(compareWithBlockerAt(kBlockerHeight, kBlocker), "ball");
+    // The same light as a tube of no length, by area.
+    options_.extraLights = {};
+    options_.extraLights.tubes = {{kBall.center, kBall.center, kBall.radius, kNits}};
+    options_.lightSampling = LightSampling::area;
+    options_.pathCount = 16384;
+    testing::expectAgreement(compareWithBlockerAt(kBlockerHeight, kBlocker), "tube by area");
+    // The twin.
+    const Extent narrow{kBlocker.low * 0.98, kBlocker.high * 0.98};
+    EXPECT_GT(std::abs(compareWithBlockerAt(kBlockerHeight, narrow).relativeMeanError), 2e-3);
+}
+
+TEST_F(BallShadowTest, whatIsInOrBehindTheBallCastsNone) {
+    for (const double height : {2.5001, 3.0}) {
+        testing::expectAgreement(compareWithBlockerAt(height, kNothing), "behind");
+    }
+    scene::Scene scene =
+        testing::sceneOf(test::makeFloor(6.0f), testing::lambertMaterial(glm::vec3(kAlbedo)));
+    const Extent small{{-0.1, -0.1}, {0.3, 0.2}};
+    scene::Mesh blocker = blockerOf(small);
+    for (glm::vec3& position : blocker.positions) position.y = 1.9f;
+    testing::addMesh(scene, blocker, blockerMaterial(scene::AlphaMode::opaque, 1.0f));
+    const testing::Agreement inside =
+        testing::compare(testing::trace(scene, camera_, options_),
+                         [&](const glm::dvec3& position, const glm::dvec3&) {
+                             return glm::dvec3(kAlbedo * leftOfBall(kNothing, position) * kNits.x);
+                         });
+    testing::expectAgreement(inside, "inside");
 }
 
 }  // namespace

@@ -49,6 +49,14 @@ ReferenceOptions makeStateOptions() {
     return options;
 }
 
+/// A picture, and every other kind of light.
+void addOtherLights(LightSet& lights) {
+    lights.polygons[0].texture =
+        testing::makePicture({2, 1}, {-1, 1.2f, -1.5f}, {2, 0, 0}, {0, 0.6f, 1});
+    lights.spheres = {{{1, 0.4f, 0.5f}, 0.3f, {300, 200, 100}}};
+    lights.tubes = {{{-1, 0.4f, 1}, {0.5f, 0.6f, 1.2f}, 0.05f, {100, 200, 300}, true}};
+}
+
 /// True from the `count`-th question on.
 std::function<bool()> stopAfter(int count) {
     return [count]() mutable { return count-- <= 0; };
@@ -156,6 +164,7 @@ TEST_F(ReferenceStateTest, runsWithATargetGoOnToTheSameBits) {
 }
 
 TEST_F(ReferenceStateTest, anotherRunIsRefusedByName) {
+    addOtherLights(options_.extraLights);
     const FloatImage state = stoppedState(4);
     EXPECT_EQ(refusal(state, options_), "no error");
     const auto with = [&](const auto& change) {
@@ -183,7 +192,37 @@ TEST_F(ReferenceStateTest, anotherRunIsRefusedByName) {
                 HasSubstr("light sampling"));
     EXPECT_THAT(with([](auto& o) { o.extraLights.polygons[0].radiance.x = 999.0f; }),
                 HasSubstr("of the same lights"));
-    EXPECT_THAT(with([](auto& o) { o.extraLights.punctuals.clear(); }), HasSubstr("of the same lights"));
+    EXPECT_THAT(with([](auto& o) { o.extraLights.punctuals.clear(); }),
+                HasSubstr("of the same lights"));
+    EXPECT_THAT(with([](auto& o) { o.extraLights.spheres[0].radius = 0.31f; }),
+                HasSubstr("of the same lights"));
+    EXPECT_THAT(with([](auto& o) { o.extraLights.spheres[0].twoSided = true; }),
+                HasSubstr("of the same lights"));
+    EXPECT_THAT(with([](auto& o) { o.extraLights.tubes[0].end.z = 0.5f; }),
+                HasSubstr("of the same lights"));
+    EXPECT_THAT(with([](auto& o) { o.extraLights.tubes.clear(); }),
+                HasSubstr("of the same lights"));
+    const auto isPictureNamed = [&](const auto& change) {
+        return with([&](auto& o) {
+            LightTexture& texture = *o.extraLights.polygons[0].texture;
+            LightImage image = *texture.image;
+            change(texture, image);
+            texture.image = std::make_shared<LightImage>(image);
+        });
+    };
+    EXPECT_EQ(isPictureNamed([](auto&, auto&) {}), "no error");
+    EXPECT_THAT(isPictureNamed([](auto&, auto& image) { image.texels[1].y = 0.3f; }),
+                HasSubstr("of the same lights"));
+    EXPECT_THAT(isPictureNamed([](auto&, auto& image) {
+                    image.size = {1, 2};
+                }),
+                HasSubstr("of the same lights"));
+    EXPECT_THAT(isPictureNamed([](auto& t, auto&) { t.axisV.x = 0.1f; }),
+                HasSubstr("of the same lights"));
+    EXPECT_THAT(isPictureNamed([](auto& t, auto&) { t.wrapU = TextureWrap::repeat; }),
+                HasSubstr("of the same lights"));
+    EXPECT_THAT(with([](auto& o) { o.extraLights.polygons[0].texture.reset(); }),
+                HasSubstr("of the same lights"));
     // What changes no result is free.
     EXPECT_EQ(with([](auto& o) { o.threadCount = 3; }), "no error");
     EXPECT_EQ(with([](auto& o) { o.aovs.clear(); }), "no error");

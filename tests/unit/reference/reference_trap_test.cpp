@@ -81,11 +81,121 @@ const std::vector<Trap> kTraps = {
          lamp.innerConeAngle = lamp.outerConeAngle = 0.0f;
          o.extraLights.punctuals.push_back(lamp);
      }},
-    {"a contour that crosses itself",
+    {"a ball that touches the floor",
      [](auto&, auto& o) {
-         PolygonLight light;
-         light.contours = {{{-1, 1, -1}, {1, 1, 1}, {1, 1, -1}, {-1, 1, 1}, {0, 1, 3}}};
-         o.extraLights.polygons = {light};
+         o.extraLights.spheres = {{{0, 0.5f, 0}, 0.5f, glm::vec3(1000.0f), false}};
+     }},
+    {"a ball that the floor halves",
+     [](auto&, auto& o) {
+         o.extraLights.spheres = {{{0, 0, 0}, 0.5f, glm::vec3(1000.0f), false}};
+     }},
+    {"in a ball",
+     [](auto&, auto& o) {
+         o.extraLights.spheres = {{{0, 0, 0}, 50.0f, glm::vec3(1000.0f), false}};
+     }},
+    {"in a ball that shines inwards",
+     [](auto&, auto& o) {
+         o.extraLights.spheres = {{{0, 0, 0}, 50.0f, glm::vec3(1000.0f), true}};
+     }},
+    {"a ball around the eye",
+     [](auto&, auto& o) {
+         o.extraLights.spheres = {{{0.1f, 0.3f, 2}, 0.5f, glm::vec3(1000.0f), true}};
+     }},
+    {"the floor through the top of a ball",
+     [](auto&, auto& o) {
+         o.extraLights.spheres = {{{0, -0.5f, 0}, 0.5f, glm::vec3(1000.0f), true}};
+     }},
+    {"a tiny ball on the floor",
+     [](auto&, auto& o) {
+         o.extraLights.spheres = {{{0, 0, 0}, 1e-7f, glm::vec3(1000.0f), true}};
+     }},
+    {"a tiny ball far away",
+     [](auto&, auto& o) {
+         o.extraLights.spheres = {{{1e6f, 1e6f, 0}, 1e-3f, glm::vec3(1000.0f), false}};
+     }},
+    {"a ball without radius",
+     [](auto&, auto& o) {
+         o.extraLights.spheres = {{{0, 1, 0}, 0.0f, glm::vec3(1000.0f), false}};
+     }},
+    {"a ball just above radius 0",
+     [](auto&, auto& o) {
+         o.extraLights.spheres = {{{0, 1, 0}, 1e-38f, glm::vec3(1000.0f), false}};
+     }},
+    {"a huge ball",
+     [](auto&, auto& o) {
+         o.extraLights.spheres = {{{0, 1e12f, 0}, 1e12f, glm::vec3(1000.0f), false}};
+     }},
+    {"a ball as far as may be",
+     [](auto&, auto& o) {
+         o.extraLights.spheres = {{{0, 1e15f, 0}, 1e15f, glm::vec3(1000.0f), true}};
+     }},
+    {"a tube in the floor",
+     [](auto&, auto& o) {
+         o.extraLights.tubes = {{{-1, 0, 0}, {1, 0, 0}, 0.1f, glm::vec3(1000.0f), false}};
+     }},
+    {"a tube in the floor that shines inwards",
+     [](auto&, auto& o) {
+         o.extraLights.tubes = {{{-1, 0, 0}, {1, 0, 0}, 0.5f, glm::vec3(1000.0f), true}};
+     }},
+    {"a tube that touches the floor",
+     [](auto&, auto& o) {
+         o.extraLights.tubes = {{{-1, 0.1f, 0}, {1, 0.1f, 0}, 0.1f, glm::vec3(1000.0f), false}};
+     }},
+    {"a tube that stands on the floor",
+     [](auto&, auto& o) {
+         o.extraLights.tubes = {{{0, 0, 0}, {0, 1, 0}, 0.05f, glm::vec3(1000.0f), false}};
+     }},
+    {"a tube without length",
+     [](auto&, auto& o) {
+         o.extraLights.tubes = {{{0, 0.5f, 0}, {0, 0.5f, 0}, 0.1f, glm::vec3(1000.0f), false}};
+     }},
+    {"a tube of almost no length",
+     [](auto&, auto& o) {
+         o.extraLights.tubes = {{{0, 0.5f, 0}, {0, 0.5f, 1e-38f}, 0.1f, glm::vec3(1000.0f), false}};
+     }},
+    {"a hair on the floor",
+     [](auto&, auto& o) {
+         o.extraLights.tubes = {{{-1, 0, 0}, {1, 0, 0}, 1e-20f, glm::vec3(1000.0f), false}};
+     }},
+    {"a hair above the floor",
+     [](auto&, auto& o) {
+         o.extraLights.tubes = {{{-1, 0.2f, 0}, {1, 0.3f, 0}, 1e-12f, glm::vec3(1000.0f), false}};
+     }},
+    {"an endless tube",
+     [](auto&, auto& o) {
+         o.extraLights.tubes = {{{-1e15f, 1, 0}, {1e15f, 1, 0}, 0.1f, glm::vec3(1000.0f), false}};
+     }},
+    {"an endless tube straight up",
+     [](auto&, auto& o) {
+         o.extraLights.tubes = {{{0, 1, 0}, {0, 1e15f, 0}, 0.1f, glm::vec3(1000.0f), false}};
+     }},
+    {"in an endless tube",
+     [](auto&, auto& o) {
+         o.extraLights.tubes = {{{-1e15f, 0, 0}, {1e15f, 0, 0}, 5.0f, glm::vec3(1000.0f), true}};
+     }},
+    {"a tube through the eye",
+     [](auto&, auto& o) {
+         o.extraLights.tubes = {{{0.1f, 0.3f, 2}, {0, 0, 0}, 0.01f, glm::vec3(1000.0f), true}};
+     }},
+    {"a picture of one texel that is far from its light",
+     [](auto&, auto& o) {
+         o.extraLights.polygons = {floorLight({0, 1, 0}, {1, 0, 0}, {0, 0, 1})};
+         o.extraLights.polygons[0].texture =
+             testing::makePicture({1, 1}, {1e15f, 1, 0}, {1e-6f, 0, 0}, {0, 0, 1e-6f});
+     }},
+    {"a picture that repeats within a hair",
+     [](auto&, auto& o) {
+         o.extraLights.polygons = {floorLight({0, 1, 0}, {1e5f, 0, 0}, {0, 0, 1e5f})};
+         o.extraLights.polygons[0].texture =
+             testing::makePicture({3, 2}, {0, 1, 0}, {1e-15f, 0, 0}, {0, 0, 1e-15f});
+         o.extraLights.polygons[0].texture->wrapU = TextureWrap::repeat;
+         o.extraLights.polygons[0].texture->wrapV = TextureWrap::mirroredRepeat;
+     }},
+    {"a picture on axes that are all but parallel",
+     [](auto&, auto& o) {
+         o.extraLights.polygons = {floorLight({0, 1, 0}, {1, 0, 0}, {0, 0, 1})};
+         o.extraLights.polygons[0].texture =
+             testing::makePicture({3, 2}, {0, 1, 0}, {1, 0, 0}, {1, 0, 0.002f});
      }},
     {"normals turned from the camera",
      [](auto& s, auto& o) {

@@ -252,6 +252,64 @@ TEST(SphericalRectangleTest, theCheckFindsSamplesThatAreEvenByArea) {
     EXPECT_GT(sampledRectangle(r, random, byArea).excess(), 10.0 * kMostExcess);
 }
 
+/// The integral of the direction over a shape, by stratified samples.
+template <typename Shape>
+glm::dvec3 directionSum(const Shape& shape) {
+    Random random(5);
+    constexpr int kSteps = 300;
+    glm::dvec3 sum(0.0);
+    for (int j = 0; j < kSteps; ++j) {
+        for (int i = 0; i < kSteps; ++i) {
+            const glm::dvec3 direction =
+                shape.sample({(i + random()) / kSteps, (j + random()) / kSteps});
+            EXPECT_NEAR(glm::length(direction), 1.0, 1e-12);
+            sum += direction;
+        }
+    }
+    return shape.solidAngle() / (kSteps * kSteps) * sum;
+}
+
+TEST(SphericalCapTest, isEvenAndAsLargeAsItIs) {
+    const glm::dvec3 axis = glm::normalize(glm::dvec3(1, -2, 0.5));
+    for (const double half : {1e-9, 1e-4, 0.1, 1.0, 0.5 * kPi}) {
+        const double sine = std::sin(half);
+        const SphericalCap cap(axis, sine, std::cos(half));
+        const double haversine = std::sin(0.5 * half);
+        EXPECT_NEAR(cap.solidAngle() / (4.0 * kPi * haversine * haversine), 1.0, 1e-12);
+        // Lambert: the sum is that of its disk's area.
+        const glm::dvec3 expected = kPi * sine * sine * axis;
+        EXPECT_LT(glm::length(directionSum(cap) - expected), 1e-4 * glm::length(expected));
+        Random random(6);
+        for (int i = 0; i < 1000; ++i) {
+            EXPECT_LT(angle(cap.sample({random(), random()}), axis), half * (1.0 + 1e-6) + 1e-15);
+        }
+    }
+}
+
+TEST(SphericalBandTest, isEvenAndAsLargeAsItIs) {
+    const glm::dvec3 x = glm::normalize(glm::dvec3(1, -2, 0.5));
+    const glm::dvec3 y = perpendicular(x);
+    const glm::dmat3 axes(x, y, glm::cross(x, y));
+    EXPECT_NEAR(glm::determinant(axes), 1.0, 1e-12);
+    for (const double half : {1e-9, 0.01, 0.7, 0.5 * kPi}) {
+        const double first = -0.3, last = 1.9, sine = std::sin(half);
+        const SphericalBand band(axes, first, last, sine);
+        EXPECT_NEAR(band.solidAngle(), 2.0 * sine * (last - first), 1e-12);
+        // The integrals of cos b over sin b, and of cos a and sin a.
+        const double across = half + sine * std::cos(half);
+        const glm::dvec3 expected = across * ((std::sin(last) - std::sin(first)) * x +
+                                              (std::cos(first) - std::cos(last)) * y);
+        EXPECT_LT(glm::length(directionSum(band) - expected), 1e-4 * glm::length(expected));
+        Random random(6);
+        for (int i = 0; i < 1000; ++i) {
+            const glm::dvec3 direction = band.sample({random(), random()});
+            EXPECT_LE(std::abs(glm::dot(direction, axes[2])), sine * (1.0 + 1e-6) + 1e-15);
+            const double turn = std::atan2(glm::dot(direction, y), glm::dot(direction, x));
+            EXPECT_TRUE(turn > first - 1e-9 && turn < last + 1e-9);
+        }
+    }
+}
+
 bool isFinite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }

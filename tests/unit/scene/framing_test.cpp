@@ -79,12 +79,14 @@ TEST(DefaultRigTest, facesTheObjectFromOutsideThePicture) {
             ASSERT_EQ(lights.size(), 3u);
             for (const AreaLight& light : lights) {
                 SCOPED_TRACE(light.name);
-                const glm::vec3 toObject = glm::normalize(bounds.center() - light.center);
-                EXPECT_NEAR(glm::dot(-light.worldFromLight[2], toObject), 1.0f, 1e-5f);
-                EXPECT_NEAR(glm::determinant(light.worldFromLight), 1.0f, 1e-5f);
+                const auto& contour = std::get<PolygonLight>(light.shape).contours.front();
+                const glm::vec3 toObject =
+                    glm::normalize(bounds.center() - 0.5f * (contour[0] + contour[2]));
+                EXPECT_NEAR(glm::dot(glm::normalize(glm::vec3(areaVector(contour))), toObject),
+                            1.0f, 1e-5f);
                 // All corners in front of the camera lie beyond one same side of the picture.
                 int beyond[4] = {0, 0, 0, 0}, inFront = 0;
-                for (const glm::vec3& point : corners(light)) {
+                for (const glm::vec3& point : contour) {
                     const glm::vec3 projected = project(camera, point, aspectRatio);
                     if (projected.z <= 0.0f) continue;
                     ++inFront;
@@ -105,8 +107,11 @@ TEST(DefaultRigTest, lightsAlikeAtEverySize) {
     const auto irradiance = [](const Bounds& bounds) {
         double sum = 0.0;
         for (const AreaLight& light : defaultRig(bounds, frameCamera(bounds, 1.5f))) {
-            const double distance = glm::length(light.center - bounds.center());
-            sum += light.radiance.g * light.size.x * light.size.y / (distance * distance);
+            const auto& polygon = std::get<PolygonLight>(light.shape);
+            const auto& contour = polygon.contours.front();
+            const double distance = glm::length(0.5f * (contour[0] + contour[2]) - bounds.center());
+            sum +=
+                polygon.radiance.g * 0.5 * glm::length(areaVector(contour)) / (distance * distance);
         }
         return sum;
     };

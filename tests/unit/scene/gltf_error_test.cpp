@@ -174,12 +174,12 @@ TEST(GltfErrorTest, namesTypesOfLightsAndCameras) {
     const int node = builder.addNode({{"extensions", {{"EXT_lights_area", {{"light", 2}}}}}});
     EXPECT_EQ(readError(builder),
               "expected \"type\" to be \"rect\" or \"disk\", found \"disc\" (scene.gltf: "
-              "EXT_lights_area.lights[2])");
+              "EXT_lights_area.lights[2] at nodes[0])");
     json& light = builder.document["nodes"][node]["extensions"]["EXT_lights_area"]["light"];
     light = 1;
     EXPECT_EQ(readError(builder),
               "expected \"type\" to be \"rect\" or \"disk\", found none (scene.gltf: "
-              "EXT_lights_area.lights[1])");
+              "EXT_lights_area.lights[1] at nodes[0])");
     light = 3;
     EXPECT_EQ(readError(builder),
               "expected \"light\" below 3, found 3 (scene.gltf: nodes[0].EXT_lights_area)");

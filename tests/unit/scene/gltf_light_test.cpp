@@ -49,10 +49,11 @@ double area(const std::vector<glm::vec3>& contour, const glm::vec3& towards) {
 TEST(AreaLightTest, hasTheDefaultsOfTheExtension) {
     const WarningLog log;
     const AreaLight light = withAreaLight({{"type", "rect"}}).read().areaLights.at(0);
-    EXPECT_EQ(light.shape, AreaLightShape::rectangle);
-    EXPECT_EQ(light.radiance, glm::vec3(1000.0f));
-    EXPECT_EQ(light.size, glm::vec2(1.0f));
-    EXPECT_FALSE(light.twoSided);
+    const auto& rectangle = std::get<PolygonLight>(light.shape);
+    EXPECT_EQ(rectangle.radiance, glm::vec3(1000.0f));
+    EXPECT_NEAR(area(rectangle.contours.at(0), {0, 0, -1}), 1.0, 1e-6);
+    EXPECT_FALSE(rectangle.twoSided);
+    EXPECT_FALSE(rectangle.texture.has_value());
     EXPECT_THAT(log.messages, ElementsAre(HasSubstr("no \"rect\"")));
 }
 
@@ -68,8 +69,9 @@ TEST(AreaLightTest, readsARectangle) {
                                 .areaLights.at(0);
     EXPECT_EQ(light.name, "panel");
     // Above the range of 32-bit integers, as tinygltf would read it.
-    EXPECT_EQ(light.radiance, glm::vec3(5e9f, 2.5e9f, 1.25e9f));
-    EXPECT_EQ(light.size, glm::vec2(3, 2));
+    const auto& rectangle = std::get<PolygonLight>(light.shape);
+    EXPECT_EQ(rectangle.radiance, glm::vec3(5e9f, 2.5e9f, 1.25e9f));
+    EXPECT_EQ(rectangle.contours.at(0).at(2), glm::vec3(1.5f, 1, 0));
     EXPECT_THAT(log.messages, IsEmpty());
 }
 
@@ -81,14 +83,13 @@ TEST(AreaLightTest, takesTheLargestWorldScaleAndTheProductOfRotations) {
         {{"children", {0}}, {"scale", {3, 1, 2}}, {"rotation", {half, 0, 0, half}}});
     builder.document["scenes"][0]["nodes"] = {1};
     const AreaLight light = builder.read().areaLights.at(0);
-    EXPECT_EQ(light.shape, AreaLightShape::disk);
+    const auto& disk = std::get<EllipseLight>(light.shape);
     // Columns of the world matrix: lengths 3, 4 and 2.
-    EXPECT_NEAR(light.size.x, 2.0f, kTolerance);
-    EXPECT_NEAR(light.size.y, 2.0f, kTolerance);
+    EXPECT_NEAR(glm::length(disk.halfAxisX), 1.0f, kTolerance);
+    EXPECT_NEAR(glm::length(disk.halfAxisY), 1.0f, kTolerance);
     // A quarter turn about x takes -Z to +Y; (0, 0, 2) goes to (0, -2, 0).
-    EXPECT_NEAR(-light.worldFromLight[2].y, 1.0f, kTolerance);
-    EXPECT_NEAR(light.center.y, -2.0f, kTolerance);
-    EXPECT_NEAR(glm::determinant(light.worldFromLight), 1.0f, kTolerance);
+    EXPECT_NEAR(glm::cross(disk.halfAxisX, disk.halfAxisY).y, 1.0f, kTolerance);
+    EXPECT_NEAR(disk.center.y, -2.0f, kTolerance);
 }
 
 TEST(AreaLightTest, warnsOfFieldsOfOlderDrafts) {
@@ -98,12 +99,13 @@ TEST(AreaLightTest, warnsOfFieldsOfOlderDrafts) {
                                           HasSubstr("use intensity"), HasSubstr("use size")));
 }
 
-TEST(AreaLightTest, cornersTurnCounterClockwiseSeenFromTheEmittingSide) {
-    AreaLight light;
-    light.size = {3, 2};
-    light.center = {5, 5, 5};
-    EXPECT_THAT(corners(light), SizeIs(4));
-    EXPECT_NEAR(area(corners(light), {0, 0, -1}), 6.0, 1e-5);
+TEST(AreaLightTest, contoursTurnCounterClockwiseSeenFromTheEmittingSide) {
+    const LightFrame frame{{5, 5, 5}, glm::mat3(1.0f)};
+    const PolygonLight rectangle = makeRectangle(frame, {3, 2}, glm::vec3(1.0f));
+    EXPECT_THAT(rectangle.contours.at(0), SizeIs(4));
+    EXPECT_NEAR(area(rectangle.contours.at(0), {0, 0, -1}), 6.0, 1e-5);
+    const EllipseLight ellipse = makeEllipse(frame, {3, 2}, glm::vec3(1.0f));
+    EXPECT_EQ(glm::cross(ellipse.halfAxisX, ellipse.halfAxisY), glm::vec3(0, 0, -1.5f));
 }
 
 TEST(PunctualLightTest, readsTheThreeKinds) {

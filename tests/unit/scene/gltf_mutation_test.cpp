@@ -9,7 +9,9 @@
 #include <random>
 
 #include "core/error.hpp"
+#include "lights/light.hpp"
 #include "scene/default_lighting.hpp"
+#include "scene/emissive_lights.hpp"
 #include "scene/framing.hpp"
 #include "unit/scene/gltf_builder.hpp"
 
@@ -25,12 +27,24 @@ GltfBuilder everything() {
         json::array({{{"type", "rect"}, {"size", 2}, {"rect", {{"aspect", 2}}}}});
     builder.document["extensions"]["KHR_lights_punctual"]["lights"] =
         json::array({{{"type", "spot"}, {"spot", {{"outerConeAngle", 0.5}}}}});
+    builder.document["extensions"]["POLYLUME_lights_area"]["lights"] = json::parse(R"([
+        {"type": "polygon", "twoSided": true, "texture": {"index": 0},
+         "polygon": {"contours": [[[0, 0, 0], [0, 2, 0], [2, 2, 0], [2, 0, 0]],
+                                  [[0.5, 0.5, 0], [1, 0.5, 0], [1, 1, 0]]],
+                     "texCoords": [[[1, 1], [1, 0], [0, 0], [0, 1]],
+                                   [[0.75, 0.75], [0.5, 0.75], [0.5, 0.5]]]}},
+        {"type": "rect", "rect": {"width": 2}, "texture": {"index": 0}},
+        {"type": "tube", "tube": {"length": 3}},
+        {"type": "sphere", "color": [1, 0, 0]},
+        {"type": "ellipse", "ellipse": {"height": 0.5}}])");
     builder.add("images", {{"bufferView", builder.addView(pngBytes())}});
     builder.add("samplers", {{"wrapS", 33071}});
     builder.add("textures", {{"source", 0}, {"sampler", 0}});
     const json texture{{"index", 0},
                        {"extensions", {{"KHR_texture_transform", {{"rotation", 1}}}}}};
     builder.add("materials", {{"normalTexture", texture},
+                              {"emissiveTexture", texture},
+                              {"emissiveFactor", {1, 1, 0.5}},
                               {"pbrMetallicRoughness", {{"baseColorTexture", texture}}}});
     const int uv = builder.addAccessor(std::vector<float>{0, 1, 1, 1, 0, 0}, "VEC2", f32);
     const int joints = builder.addAccessor(
@@ -61,14 +75,30 @@ GltfBuilder everything() {
     builder.addNode({{"children", json::array()},
                      {"scale", {1, 2, 3}},
                      {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+    for (int i = 0; i < 5; ++i) {
+        builder.addNode(
+            {{"scale", {1, -1, 2}}, {"extensions", {{"POLYLUME_lights_area", {{"light", i}}}}}});
+    }
     builder.add("skins", {{"joints", {0, 3}}});
     return builder;
+}
+
+void expectUsable(const PolygonLight& light) {
+    EXPECT_NO_THROW(checkLights({{light}, {}}));
+    if (!light.texture) return;
+    const LightTexture& texture = *light.texture;
+    EXPECT_EQ(static_cast<int>(texture.image->texels.size()),
+              texture.image->size.x * texture.image->size.y);
+    for (const glm::vec3& axis : {texture.origin, texture.axisU, texture.axisV}) {
+        EXPECT_TRUE(std::isfinite(glm::length(axis)));
+    }
 }
 
 /// Reads the file; whatever it gives has to be usable.
 void readAndUse(const std::string& name, const std::vector<std::byte>& bytes) {
     try {
-        const Scene scene = readBytes(name, bytes);
+        Scene scene = readBytes(name, bytes);
+        addEmissiveLights(scene);
         for (const Mesh& mesh : scene.meshes) {
             ASSERT_EQ(mesh.normals.size(), mesh.positions.size());
             ASSERT_EQ(mesh.tangents.size(), mesh.positions.size());
@@ -84,6 +114,11 @@ void readAndUse(const std::string& name, const std::vector<std::byte>& bytes) {
             ASSERT_LT(static_cast<std::size_t>(instance.mesh), scene.meshes.size());
             ASSERT_TRUE(std::isfinite(glm::determinant(instance.worldFromObject)) ||
                         scene.bounds().radius() > 1e9f);
+        }
+        for (const AreaLight& light : scene.areaLights) {
+            if (const auto* polygon = std::get_if<PolygonLight>(&light.shape)) {
+                expectUsable(*polygon);
+            }
         }
         const Camera camera = frameCamera(scene.bounds(), 1.5f);
         for (int i = 0; i < 16; ++i)

@@ -42,14 +42,16 @@ TEST_P(SampleSceneTest, readsWithoutAWarning) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, SampleSceneTest, testing::Values("gallery", "studio", "cornell"));
+INSTANTIATE_TEST_SUITE_P(All, SampleSceneTest,
+                         testing::Values("gallery", "studio", "cornell", "softboxes", "neon"));
 
 TEST(SampleGeneratorTest, makesTheSameBytes) {
     const std::filesystem::path folder = "SampleGeneratorTest";
     const std::string command =
         "python3 '" + (kScenes / "generate.py").string() + "' " + folder.string() + " > /dev/null";
     ASSERT_EQ(std::system(command.c_str()), 0) << command;
-    for (const char* name : {"gallery.glb", "studio.glb", "cornell.glb"}) {
+    for (const char* name :
+         {"gallery.glb", "studio.glb", "cornell.glb", "softboxes.glb", "neon.glb"}) {
         EXPECT_TRUE(readFile(folder / name) == readFile(kScenes / name))
             << name << " differs; run samples/scenes/generate.py";
     }

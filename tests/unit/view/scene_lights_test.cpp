@@ -8,33 +8,49 @@
 namespace polylume {
 namespace {
 
-TEST(SceneLightsTest, areaLightsKeepTheirShape) {
+/// One light of each shape, every second one two-sided.
+scene::Scene sceneOfEveryShape() {
     scene::Scene scene;
-    scene.areaLights.resize(2);
-    scene.areaLights[0].radiance = {1, 2, 3};
-    scene.areaLights[1].shape = scene::AreaLightShape::disk;
-    scene.areaLights[1].twoSided = true;
-    const LightSet lights = lightsOf(scene, {});
+    PolygonLight polygon = scene::makeRectangle({}, {2.0f, 1.0f}, {1, 2, 3});
+    polygon.texture.emplace();
+    EllipseLight ellipse = scene::makeEllipse({}, {1.0f, 1.0f}, {4, 5, 6});
+    ellipse.twoSided = true;
+    SphereLight sphere;
+    sphere.radius = 0.25f;
+    TubeLight tube;
+    tube.twoSided = true;
+    tube.radius = 0.125f;
+    scene.areaLights = {{"a", polygon, ""}, {"b", ellipse, ""}, {"c", sphere, ""}, {"d", tube, ""}};
+    return scene;
+}
+
+TEST(SceneLightsTest, areaLightsKeepTheirShape) {
+    const LightSet lights = lightsOf(sceneOfEveryShape(), {});
     ASSERT_EQ(lights.polygons.size(), 1u);
     EXPECT_EQ(lights.polygons[0].contours.front().size(), 4u);
     EXPECT_EQ(lights.polygons[0].radiance, glm::vec3(1, 2, 3));
     EXPECT_FALSE(lights.polygons[0].twoSided);
+    EXPECT_TRUE(lights.polygons[0].texture.has_value());
     ASSERT_EQ(lights.ellipses.size(), 1u);
     const EllipseLight& disk = lights.ellipses[0];
     EXPECT_TRUE(disk.twoSided);
     EXPECT_EQ(glm::cross(disk.halfAxisX, disk.halfAxisY), glm::vec3(0, 0, -0.25f));
+    ASSERT_EQ(lights.spheres.size(), 1u);
+    EXPECT_FALSE(lights.spheres[0].twoSided);
+    EXPECT_EQ(lights.spheres[0].radius, 0.25f);
+    ASSERT_EQ(lights.tubes.size(), 1u);
+    EXPECT_TRUE(lights.tubes[0].twoSided);
+    EXPECT_EQ(lights.tubes[0].radius, 0.125f);
 }
 
 TEST(SceneLightsTest, twoSidedHoldsForEveryAreaLight) {
-    scene::Scene scene;
-    scene.areaLights.resize(3);
-    scene.areaLights[1].twoSided = true;
-    scene.areaLights[2].shape = scene::AreaLightShape::disk;
     ViewOptions options;
     options.twoSided = true;
-    const LightSet lights = lightsOf(scene, options);
-    for (const PolygonLight& light : lights.polygons) EXPECT_TRUE(light.twoSided);
-    for (const EllipseLight& light : lights.ellipses) EXPECT_TRUE(light.twoSided);
+    const LightSet lights = lightsOf(sceneOfEveryShape(), options);
+    EXPECT_TRUE(lights.polygons.at(0).twoSided);
+    EXPECT_TRUE(lights.ellipses.at(0).twoSided);
+    EXPECT_TRUE(lights.spheres.at(0).twoSided);
+    EXPECT_TRUE(lights.tubes.at(0).twoSided);
 }
 
 TEST(SceneLightsTest, extraLightsComeBesideTheScenes) {

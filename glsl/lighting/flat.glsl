@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The Polylume authors
+// SPDX-License-Identifier: MIT
+
+#include "lighting/light.glsl"
+#include "lighting/lobes.glsl"
+#include "ltc/parallelogram.glsl"
+// Includes are resolved before conditions are: what both sides need comes first.
+#if defined(POLYLUME_POLYGON_LIGHTS) || defined(POLYLUME_TEXTURED_POLYGON_LIGHTS)
+#include "ltc/polygon.glsl"
+#endif
+#ifdef POLYLUME_TRIANGLE_LIGHTS
+#include "ltc/triangle.glsl"
+#endif
+
+// Parallelograms, triangles and other polygons. `factors` are those of the diffuse and of the specular reflection, as light counts them;
+// rounding leaves them up to a millionth below 0. A `lobeFactor` is that of one lobe.
+
+/// Form factors know no lengths: a frame may be scaled. flatLobes() makes it so small that products of four lengths do not
+/// overflow.
+SurfaceLobes flatLobes(SurfaceLobes surface) {
+    surface.frameFromWorld *= lighting.lobeWeight.w;
+    return surface;
+}
+
+float largestOf(vec3 v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); }
+
+/// Parallelogram light `index` as the point sees it, and how it counts: 1 from the side that emits, -1 from the back of
+/// one that emits from both, else 0.
+LtcParallelogram clippedParallelogram(uint index, vec3 positionWorld, mat3 frameFromWorld, out float side) {
+    ParallelogramData light = parallelograms[index];
+    vec3 corner = light.corner.xyz - positionWorld;
+    side = lightSide(-dot(light.normal.xyz, corner), largestOf(corner), light.corner.w);
+    return ltcClipParallelogram(frameFromWorld * corner, frameFromWorld * light.edgeX.xyz,
+                                frameFromWorld * light.edgeY.xyz);
+}
+
+vec2 parallelogramFactors(uint index, vec3 positionWorld, SurfaceLobes surface) {
+    float side;
+    LtcParallelogram outline = clippedParallelogram(index, positionWorld, surface.frameFromWorld, side);
+    float factors[kLobeCount];
+    for (int k = 0; k < kLobeCount; ++k) factors[k] = ltcLobeFactor(outline, surface.lobes[k]);
+    return side * sumFactors(ltcCosineFactor(outline), factors);
+}
+
+float parallelogramLobeFactor(uint index, vec3 positionWorld, mat3 frameFromWorld, LtcLobe lobe) {
+    float side;
+    LtcParallelogram outline = clippedParallelogram(index, positionWorld, frameFromWorld, side);
+    return side * ltcLobeFactor(outline, lobe);
+}
+
+/// Vertex `i` of all polygons, as polygonVertices has them. llvmpipe reads a texel several times faster than four values of
+/// a buffer.
+vec4 polygonVertex(uint i) { return texelFetch(polygonVertexTexels, int(i)); }
+
+#ifdef POLYLUME_TRIANGLE_LIGHTS
+/// Polygon light `index`, which has three vertices, as clippedParallelogram().
+LtcTriangle clippedTriangle(uint index, vec3 positionWorld, mat3 frameFromWorld, out float side) {
+    PolygonData light = polygons[index];
+    uint first = light.vertices.x;
+    vec3 vertex = polygonVertex(first).xyz;
+    vec3 corner = vertex - positionWorld;
+    side = lightSide(-dot(light.plane.xyz, corner), largestOf(corner), light.radiance.w);
+    return ltcClipTriangle(frameFromWorld * corner, frameFromWorld * (polygonVertex(first + 1u).xyz - vertex),
+                           frameFromWorld * (polygonVertex(first + 2u).xyz - vertex));
+}
+
+vec2 triangleFactors(uint index, vec3 positionWorld, SurfaceLobes surface) {
+    float side;
+    LtcTriangle outline = clippedTriangle(index, positionWorld, surface.frameFromWorld, side);
+    float factors[kLobeCount];
+    for (int k = 0; k < kLobeCount; ++k) factors[k] = ltcLobeFactor(outline, surface.lobes[k]);
+    return side * sumFactors(ltcCosineFactor(outline), factors);
+}
+
+float triangleLobeFactor(uint index, vec3 positionWorld, mat3 frameFromWorld, LtcLobe lobe) {
+    float side;
+    LtcTriangle outline = clippedTriangle(index, positionWorld, frameFromWorld, side);
+    return side * ltcLobeFactor(outline, lobe);
+}
+#endif
+
+#if defined(POLYLUME_POLYGON_LIGHTS) || defined(POLYLUME_TEXTURED_POLYGON_LIGHTS)
+/// How a point sees a polygon light.
+struct PolygonView {
+    float side;      ///< As clippedParallelogram() has it.
+    float turn;      ///< As ltcCosineFactor() of a polygon
+    vec2 toPlane;    ///< and ltcAddImageEdge() want them.
+};
+
+/// `offset` leads from the point to the light's first vertex.
+PolygonView polygonView(PolygonData light, vec3 offset, mat3 frameFromWorld) {
+    float distance = -dot(light.plane.xyz, offset);
+    float reach = largestOf(offset) + uintBitsToFloat(light.vertices.z);
+    PolygonView view;
+    view.side = lightSide(distance, reach, light.radiance.w);
+    view.turn = distance > 0.0 ? -1.0 : 1.0;
+    view.toPlane = view.turn * (frameFromWorld * light.plane.xyz).xy;
+    return view;
+}
+
+vec2 polygonFactors(uint index, vec3 positionWorld, SurfaceLobes surface) {
+    PolygonData light = polygons[index];
+    uint i = light.vertices.x;
+    uint end = i + light.vertices.y;
+    vec4 begin = polygonVertex(i);
+    PolygonView view = polygonView(light, begin.xyz - positionWorld, surface.frameFromWorld);
+    LtcPolygon polygon = ltcBeginPolygon();
+    LtcPolygonImage images[kLobeCount];
+    for (int k = 0; k < kLobeCount; ++k) images[k] = ltcBeginImage();
+    do {
+        ltcBeginContour(surface.frameFromWorld * (begin.xyz - positionWorld), polygon);
+        for (int k = 0; k < kLobeCount; ++k) ltcBeginImageContour(polygon, surface.lobes[k], images[k]);
+        uint last = i + uint(begin.w);
+        do {
+            vec3 vertex = polygonVertex(++i).xyz;
+            LtcPolygonEdge edge = ltcAddVertex(surface.frameFromWorld * (vertex - positionWorld), polygon);
+            for (int k = 0; k < kLobeCount; ++k) ltcAddImageEdge(edge, surface.lobes[k], view.toPlane, images[k]);
+        } while (i < last);
+        begin = polygonVertex(++i);
+    } while (i < end);
+    float factors[kLobeCount];
+    for (int k = 0; k < kLobeCount; ++k) {
+        factors[k] = ltcLobeFactor(images[k], surface.lobes[k], view.turn, view.toPlane);
+    }
+    return view.side * sumFactors(ltcCosineFactor(polygon, view.turn), factors);
+}
+
+float polygonLobeFactor(uint index, vec3 positionWorld, mat3 frameFromWorld, LtcLobe lobe) {
+    PolygonData light = polygons[index];
+    uint i = light.vertices.x;
+    uint end = i + light.vertices.y;
+    vec4 begin = polygonVertex(i);
+    PolygonView view = polygonView(light, begin.xyz - positionWorld, frameFromWorld);
+    LtcPolygon polygon = ltcBeginPolygon();
+    LtcPolygonImage image = ltcBeginImage();
+    do {
+        ltcBeginContour(frameFromWorld * (begin.xyz - positionWorld), polygon);
+        ltcBeginImageContour(polygon, lobe, image);
+        uint last = i + uint(begin.w);
+        do {
+            vec3 vertex = polygonVertex(++i).xyz;
+            LtcPolygonEdge edge = ltcAddVertex(frameFromWorld * (vertex - positionWorld), polygon);
+            ltcAddImageEdge(edge, lobe, view.toPlane, image);
+        } while (i < last);
+        begin = polygonVertex(++i);
+    } while (i < end);
+    return view.side * ltcLobeFactor(image, lobe, view.turn, view.toPlane);
+}
+#endif
