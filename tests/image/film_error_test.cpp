@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Polylume authors
+// SPDX-License-Identifier: MIT
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <iostream>
+
+#include "figures/error_measures.hpp"
+#include "reference/reference_tracer.hpp"
+#include "render/renderer.hpp"
+#include "shape_configurations.hpp"
+
+// Rectangles that show a film, against ray tracing: how well a few reads of a prefiltered image
+// stand for the integral over it. A mean over the whole set that is larger by more than a tenth
+// than the one published fails. POLYLUME_PRINT_ERRORS=1 prints the errors.
+namespace polylume {
+namespace {
+
+using test::Configuration;
+
+void setView(const Configuration& configuration, Lobes lobes, ViewOptions& options) {
+    options.size = {40, 24};
+    options.sampleCount = 1;
+    options.lobes = lobes;
+    options.extraLights = configuration.lights();
+    options.hideLights = true;
+    options.background.reset();
+}
+
+FloatImage draw(const Configuration& configuration, const scene::Scene& scene, Lobes lobes,
+                Quality quality) {
+    static const std::unique_ptr<Context> context = Context::create(Backend::automatic);
+    static const gl::ShaderLibrary library;
+    RenderOptions options;
+    setView(configuration, lobes, options);
+    options.model.quality = quality;
+    Progress progress;
+    return renderScene(*context, library, scene, configuration.camera(), options, progress).image;
+}
+
+FloatImage trace(const Configuration& configuration, const scene::Scene& scene, Lobes lobes) {
+    reference::ReferenceOptions options;
+    setView(configuration, lobes, options);
+    options.shadows = false;
+    options.pathCount = 1 << 16;
+    options.targetError = 0.01;
+    const scene::Camera camera = configuration.camera();
+    reference::ReferenceTracer tracer(scene, camera, options);
+    Progress progress;
+    tracer.run(progress);
+    return tracer.picture().image;
+}
+
+struct Case {
+    const char* name;
+    Lobes lobes;
+    Quality quality;
+    double published;  ///< The mean error.
+};
+
+class FilmErrorTest : public ::testing::TestWithParam<Case> {
+  protected:
+    /// Root mean square error over the mean: of a metal, or of the diffuse reflection alone.
+    static double errorOf(const Configuration& configuration) {
+        const auto& [name, lobes, quality, published] = GetParam();
+        scene::Scene scene = configuration.scene();
+        if (lobes == Lobes::diffuse) {
+            scene.materials.front().metallicFactor = 0.0f;
+            scene.materials.front().baseColorFactor = {0.5f, 0.5f, 0.5f, 1.0f};
+        }
+        const FloatImage truth = trace(configuration, scene, lobes);
+        return figures::measureErrors(draw(configuration, scene, lobes, quality), truth)
+            .relativeRmse;
+    }
+};
+
+TEST_P(FilmErrorTest, isNotLargerThanStated) {
+    const bool prints = std::getenv("POLYLUME_PRINT_ERRORS") != nullptr;
+    const std::vector<Configuration> configurations = test::filmConfigurations();
+    double mean = 0.0;
+    for (const Configuration& configuration : configurations) {
+        const double error = errorOf(configuration);
+        if (prints) std::cout << configuration.name() << ": " << 100.0 * error << " %\n";
+        mean += error / static_cast<double>(configurations.size());
+    }
+    if (prints) std::cout << "mean: " << 100.0 * mean << " %\n";
+    const Case& known = GetParam();
+    EXPECT_LT(mean, 1.1 * known.published);
+    if (known.quality == Quality::high) {
+        EXPECT_LE(mean, 0.08);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, FilmErrorTest,
+    ::testing::Values(Case{"diffuse", Lobes::diffuse, Quality::standard, 0.1319},
+                      Case{"diffuseHigh", Lobes::diffuse, Quality::high, 0.0687},
+                      Case{"metal", Lobes::specular, Quality::standard, 0.1728},
+                      Case{"metalHigh", Lobes::specular, Quality::high, 0.0761}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+}  // namespace
+}  // namespace polylume
