@@ -172,11 +172,12 @@ TEST_P(SharedBlockTest, uniformBlocksLieAsInCpp) {
 TEST_P(SharedBlockTest, lightBuffersLieAsInCpp) {
     const gl::Program lighting(
         gl(), library_, "passes/fullscreen.vert", "passes/lighting.frag",
-        std::vector<std::string>{
-            "POLYLUME_PARALLELOGRAM_LIGHTS", "POLYLUME_POLYGON_LIGHTS",
-            "POLYLUME_TEXTURED_PARALLELOGRAM_LIGHTS", "POLYLUME_TEXTURED_POLYGON_LIGHTS",
-            "POLYLUME_PUNCTUAL_LIGHTS", "POLYLUME_DISK_LIGHTS", "POLYLUME_ELLIPSE_LIGHTS",
-            "POLYLUME_SPHERE_LIGHTS", "POLYLUME_TUBE_LIGHTS", "POLYLUME_DIFFUSE_BURLEY", "POLYLUME_SHEEN"},
+        std::vector<std::string>{"POLYLUME_PARALLELOGRAM_LIGHTS", "POLYLUME_POLYGON_LIGHTS",
+                                 "POLYLUME_TEXTURED_PARALLELOGRAM_LIGHTS",
+                                 "POLYLUME_TEXTURED_POLYGON_LIGHTS", "POLYLUME_PUNCTUAL_LIGHTS",
+                                 "POLYLUME_DISK_LIGHTS", "POLYLUME_ELLIPSE_LIGHTS",
+                                 "POLYLUME_SPHERE_LIGHTS", "POLYLUME_TUBE_LIGHTS",
+                                 "POLYLUME_DIFFUSE_BURLEY", "POLYLUME_SHEEN"},
         "lighting");
     EXPECT_EQ(countMatches(lighting, GL_UNIFORM, kLightingFields),
               static_cast<int>(kLightingFields.size()));
