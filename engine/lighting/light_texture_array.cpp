@@ -26,11 +26,23 @@ GLint wrapMode(TextureWrap wrap) {
     return GL_CLAMP_TO_EDGE;
 }
 
-GLuint createArray(const gl::Functions& gl, int size, int levelCount, std::size_t layerCount) {
+/// Half floats hold factors up to 65,504 with 11 bits, at any brightness; beyond it takes floats.
+GLenum formatOf(const std::vector<TexturedLight>& lights) {
+    constexpr float kLargestHalf = 65504.0f;
+    const auto isTooBright = [](const glm::vec3& texel) {
+        return std::max({texel.r, texel.g, texel.b}) > kLargestHalf;
+    };
+    const auto hasTooBright = [&](const TexturedLight& light) {
+        return std::ranges::any_of(light.texture.image->texels, isTooBright);
+    };
+    return std::ranges::any_of(lights, hasTooBright) ? GL_RGBA32F : GL_RGBA16F;
+}
+
+GLuint createArray(const gl::Functions& gl, GLenum format, int size, int levelCount,
+                   std::size_t layerCount) {
     GLuint name = 0;
     gl.CreateTextures(GL_TEXTURE_2D_ARRAY, 1, &name);
-    // Half floats hold factors up to 65,504 with 11 bits, at any brightness.
-    gl.TextureStorage3D(name, levelCount, GL_RGBA16F, size, size, static_cast<GLsizei>(layerCount));
+    gl.TextureStorage3D(name, levelCount, format, size, size, static_cast<GLsizei>(layerCount));
     gl.ObjectLabel(GL_TEXTURE, name, -1, "light images");
     return name;
 }
@@ -92,13 +104,15 @@ LightTextureArray::LightTextureArray(const gl::Functions& gl, const gl::ShaderLi
 }
 
 void LightTextureArray::chooseSize() {
+    format_ = formatOf(lights_);
     for (const TexturedLight& light : lights_) {
         size_ = std::max({size_, light.frame.size.x, light.frame.size.y});
     }
-    // All levels together have 4/3 of the texels of the first, of 8 bytes each.
+    // All levels together have 4/3 of the texels of the first, of 8 or 16 bytes each.
+    const std::size_t texelBytes = format_ == GL_RGBA32F ? 16 : 8;
     const auto sizeBytes = [&] {
         const auto side = static_cast<std::size_t>(size_);
-        return lights_.size() * side * side * 32 / 3;
+        return lights_.size() * side * side * texelBytes * 4 / 3;
     };
     while (size_ > 16 && sizeBytes() > kLargestSizeBytes) size_ /= 2;
     levelCount_ = std::countr_zero(static_cast<unsigned>(size_)) + 1;
@@ -117,7 +131,7 @@ void LightTextureArray::makeTexture() {
                            "found ",
                            lights_.size(), "; leave out some textures"));
     }
-    texture_ = {*gl_, createArray(*gl_, size_, levelCount_, lights_.size())};
+    texture_ = {*gl_, createArray(*gl_, format_, size_, levelCount_, lights_.size())};
     framebuffer_ = {*gl_, createFramebuffer(*gl_)};
     reading_ = gl::SamplerObject(*gl_, GL_LINEAR, GL_LINEAR_MIPMAP_NEAREST, GL_CLAMP_TO_EDGE,
                                  GL_CLAMP_TO_EDGE);
@@ -201,6 +215,8 @@ void LightTextureArray::bakeImage(std::size_t layer, GLuint source, glm::ivec2 s
     gl_->ProgramUniform2f(program, shared::kBakeOriginLocation, origin.x, origin.y);
     gl_->ProgramUniform4f(program, shared::kBakeAxesLocation, x.x, x.y, y.x, y.y);
     gl_->ProgramUniform3i(program, shared::kBakeReadsLocation, reads.x, reads.y, isCovered);
+    const float largest = format_ == GL_RGBA32F ? 1e30f : 65000.0f;
+    gl_->ProgramUniform1f(program, shared::kBakeLargestLocation, largest);
     drawLevel(layer, 0, image_);
     for (int level = 1; level < levelCount_; ++level) drawLevel(layer, level, average_);
     if (!isCovered) return;

@@ -38,7 +38,8 @@ class LightTextureArray {
                       std::vector<TexturedLight> lights);
 
     /// Filters layer `layer` anew from a texture of the caller's (GL_TEXTURE_2D, level 0, any
-    /// format that filters; its first row is the image's upper one). Allocates nothing.
+    /// format that filters; its first row is the image's upper one). Allocates nothing. Factors
+    /// above 65,504 are kept where one of the first images had such, else cut off.
     void update(std::size_t layer, GLuint texture);
     /// The same from texels; allocates only where their size is another than the last time.
     void update(std::size_t layer, const LightImage& image);
@@ -56,7 +57,7 @@ class LightTextureArray {
         gl::Texture coverage;       ///< Empty where the light is all of its frame.
     };
 
-    void chooseSize();
+    void chooseSize();  ///< And the format.
     void makeTexture();
     void bakeImage(std::size_t layer, GLuint source, glm::ivec2 sourceSize);
     void setState() const;
@@ -72,6 +73,7 @@ class LightTextureArray {
     const gl::Functions* gl_ = nullptr;
     std::vector<TexturedLight> lights_;
     std::vector<Bake> bakes_;
+    GLenum format_ = 0;
     int size_ = 1;
     int levelCount_ = 1;
     gl::Handle<&destroyTexture> texture_;

@@ -13,6 +13,10 @@ namespace {
 /// Sides of the polygon around an ellipse that is sampled in its place; 1.3 % of the samples miss.
 constexpr int kEllipseSides = 16;
 
+/// A polygon of more vertices would have thousands of parts: its convex hull is sampled in its
+/// place.
+constexpr std::size_t kMostVertices = 128;
+
 bool isRectangle(const PolygonLight& light) {
     if (light.contours.size() != 1 || light.contours.front().size() != 4) return false;
     const std::vector<glm::vec3>& c = light.contours.front();
@@ -56,7 +60,12 @@ void setPolygon(FlatEmitter& emitter, const PolygonLight& light) {
             planar.emplace_back(glm::dot(offset, emitter.axisX), glm::dot(offset, emitter.axisY));
         }
     }
-    emitter.parts = convexParts(emitter.contours);
+    std::size_t vertexCount = 0;
+    for (const PlanarContour& contour : emitter.contours) vertexCount += contour.size();
+    emitter.isCoveredWidely = vertexCount > kMostVertices;
+    emitter.parts = emitter.isCoveredWidely
+                        ? std::vector<PlanarContour>{convexHull(emitter.contours.front())}
+                        : convexParts(emitter.contours);
     for (const PlanarContour& part : emitter.parts) emitter.area += area(part);
 }
 
@@ -89,6 +98,7 @@ FlatEmitter flatEmitter(const PolygonLight& light) {
 FlatEmitter flatEmitter(const EllipseLight& light) {
     FlatEmitter emitter;
     emitter.shape = FlatEmitter::Shape::ellipse;
+    emitter.isCoveredWidely = true;
     emitter.origin = light.center;
     emitter.axisX = light.halfAxisX;
     emitter.axisY = light.halfAxisY;

@@ -40,14 +40,15 @@ struct FlatEmitter {
     /// Of a rectangle its edges, of an ellipse its half axes, else unit; at right angles.
     glm::dvec3 axisX{1.0, 0.0, 0.0}, axisY{0.0, 1.0, 0.0};
     glm::dvec3 normal{0.0, 0.0, 1.0};  ///< Unit, to the emitting side.
-    double area = 0.0;
+    double area = 0.0;         ///< Of what is sampled: of the light, or of wide parts of a polygon.
     glm::dvec3 radiance{0.0};  ///< Nits.
     bool twoSided = false;
     bool shownBySurface = false;  ///< The camera does not see it.
     std::optional<EmitterTexture> texture;
     std::vector<PlanarContour> contours;  ///< Of a polygon.
-    /// Convex, counter-clockwise; cover the shape without overlap, of an ellipse a little more.
+    /// Convex, counter-clockwise; cover the shape without overlap.
     std::vector<PlanarContour> parts;
+    bool isCoveredWidely = false;  ///< The parts reach beyond it.
 
     /// Whether `offset` from the light to a point is on a side that it emits to.
     bool emitsToward(const glm::dvec3& offset) const {

@@ -42,9 +42,11 @@ void FlatView::addTo(StretchedView& view) const {
 }
 
 LightSample FlatView::sampleArea(const glm::dvec2& random) const {
-    const glm::dvec3 point = pointAt(samplePlane(random));
+    const glm::dvec2 planar = samplePlane(random);
+    const glm::dvec3 point = pointAt(planar);
     const double distance = glm::length(point);
     const glm::dvec3 direction = point / distance;
+    if (emitter_->isCoveredWidely && !emitter_->contains(planar)) return {direction, 0.0, 0.0};
     return {direction, distance, areaDensity(direction, distance)};
 }
 

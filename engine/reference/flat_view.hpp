@@ -26,7 +26,7 @@ class FlatView {
     void addTo(StretchedView& view) const;
 
     /// Directions of addTo() may miss the light.
-    bool isCoveredWidely() const { return emitter_->shape == FlatEmitter::Shape::ellipse; }
+    bool isCoveredWidely() const { return emitter_->isCoveredWidely; }
 
     /// To the light's plane; no positive and finite number where that is not met.
     double distanceTo(const glm::dvec3& direction) const {

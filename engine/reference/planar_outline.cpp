@@ -75,6 +75,28 @@ double area(const PlanarContour& contour) {
     return 0.5 * sum;
 }
 
+PlanarContour convexHull(PlanarContour contour) {
+    std::ranges::sort(contour, [](const glm::dvec2& a, const glm::dvec2& b) {
+        return a.x < b.x || (a.x == b.x && a.y < b.y);
+    });
+    // The lower chain from left to right, then the upper one back.
+    PlanarContour hull;
+    const auto addChain = [&](auto first, auto last) {
+        const std::size_t begin = hull.size();
+        for (; first != last; ++first) {
+            while (hull.size() > begin + 1 &&
+                   cross(hull.back() - hull[hull.size() - 2], *first - hull.back()) <= 0.0) {
+                hull.pop_back();
+            }
+            hull.push_back(*first);
+        }
+        hull.pop_back();  // The other chain begins with it.
+    };
+    addChain(contour.begin(), contour.end());
+    addChain(contour.rbegin(), contour.rend());
+    return hull;
+}
+
 std::vector<PlanarContour> convexParts(const std::vector<PlanarContour>& contours) {
     if (contours.size() == 1 && isConvex(contours.front())) return contours;
     std::vector<PlanarContour> parts;

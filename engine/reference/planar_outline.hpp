@@ -18,6 +18,9 @@ bool isInside(const std::vector<PlanarContour>& contours, const glm::dvec2& poin
 /// Seidel 1991 has them, found by looking at all edges), for contours that do not cross.
 std::vector<PlanarContour> convexParts(const std::vector<PlanarContour>& contours);
 
+/// The convex hull of a contour, counter-clockwise (Andrew 1979).
+PlanarContour convexHull(PlanarContour contour);
+
 /// Of a contour that turns counter-clockwise.
 double area(const PlanarContour& contour);
 

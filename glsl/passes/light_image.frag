@@ -9,6 +9,7 @@ layout(location = kBakeScaleLocation) uniform vec2 scale;    ///< Of the frame's
 layout(location = kBakeOriginLocation) uniform vec2 origin;  ///< Coordinates in `source` of the frame's corner,
 layout(location = kBakeAxesLocation) uniform vec4 axes;      ///< and what its edges add to them: xy, zw.
 layout(location = kBakeReadsLocation) uniform ivec3 reads;   ///< A texel's, along the edges; z: 1 to read `coverage`.
+layout(location = kBakeLargestLocation) uniform float largest;  ///< That the image's format holds.
 
 layout(location = 0) out vec4 outFactor;
 
@@ -26,7 +27,7 @@ void main() {
     } while (++i < count);
     sum /= float(count);
     // What is no number gives no light.
-    sum = mix(vec3(0.0), min(sum, vec3(65000.0)), greaterThan(sum, vec3(0.0)));
+    sum = mix(vec3(0.0), min(sum, vec3(largest)), greaterThan(sum, vec3(0.0)));
     float covered = 1.0;
     if (reads.z > 0) covered = texelFetch(coverage, ivec2(place / step), 0).r;
     outFactor = vec4(sum * covered, covered);

@@ -18,6 +18,7 @@ const int kBakeScaleLocation = 1;
 const int kBakeOriginLocation = 2;
 const int kBakeAxesLocation = 3;
 const int kBakeReadsLocation = 4;
+const int kBakeLargestLocation = 5;
 
 /// How the filtered image lies on a textured polygon. Places in its frame go from (0, 0) at the corner to (1, 1). The frame
 /// of a parallelogram is itself; ParallelogramData has what there is beside.
