@@ -53,8 +53,10 @@ class PolygonCheck {
         slack_ = 1e-6 * extent_ + rounding_;
         const glm::dvec3 area = areaVector(outline);
         area_ = glm::length(area);
-        if (!(area_ > 0.0)) return;
-        normal_ = area / area_;
+        const glm::dvec3 across = area_ > 0.0 ? area : widestProduct(outline);
+        isLine_ = !(glm::length(across) > slack_ * extent_);
+        if (!(area_ > 0.0) && isLine_) return;
+        normal_ = glm::normalize(across);
         const glm::dvec3 other =
             std::abs(normal_.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
         axisX_ = glm::normalize(glm::cross(other, normal_));
@@ -62,8 +64,14 @@ class PolygonCheck {
     }
 
     void run() {
-        // Without area it is no light, whatever it looks like.
-        if (!(area_ > 0.0)) return;
+        // Without area it is no light, whatever it looks like; but for a bow-tie, whose two halves
+        // turn opposite ways.
+        if (!(area_ > 0.0)) {
+            if (isLine_) return;
+            collectEdges();
+            checkCrossings();
+            return;
+        }
         checkPlanar();
         collectEdges();
         checkCrossings();
@@ -71,6 +79,21 @@ class PolygonCheck {
     }
 
   private:
+    /// Across the outline, of the vertices that are farthest from one line.
+    glm::dvec3 widestProduct(const std::vector<glm::vec3>& outline) const {
+        glm::dvec3 farthest(0.0);
+        for (const glm::vec3& vertex : outline) {
+            const glm::dvec3 offset = glm::dvec3(vertex) - origin_;
+            if (glm::length(offset) > glm::length(farthest)) farthest = offset;
+        }
+        glm::dvec3 widest(0.0);
+        for (const glm::vec3& vertex : outline) {
+            const glm::dvec3 product = glm::cross(farthest, glm::dvec3(vertex) - origin_);
+            if (glm::length(product) > glm::length(widest)) widest = product;
+        }
+        return widest;
+    }
+
     std::string nameOf(std::size_t contour) const {
         return concat("contour ", contour, " of polygon light ", index_);
     }
@@ -202,6 +225,7 @@ class PolygonCheck {
     double rounding_ = 0.0;  ///< Of coordinates in float, metres.
     double slack_ = 0.0;     ///< By so many metres less, edges touch and do not cross.
     double area_ = 0.0;      ///< Twice that of the outline.
+    bool isLine_ = false;    ///< All vertices of the outline lie on one.
     glm::dvec3 normal_{0.0};
     glm::dvec3 axisX_{0.0};
     glm::dvec3 axisY_{0.0};

@@ -180,7 +180,8 @@ class Checker {
         const std::size_t count = array && array->is_array() ? array->size() : 0;
         const double number = value.get<double>();
         if (number != std::floor(number)) fail(property, "a whole number", value, place);
-        if (!(number >= 0.0 && number < static_cast<double>(count))) {
+        if (number < 0.0) fail(property, "0 or more", value, place);
+        if (!(number < static_cast<double>(count))) {
             const std::string limit =
                 count > 0 ? concat("below ", count)
                           : concat("left out, since there is no \"", target.back(), "\"");

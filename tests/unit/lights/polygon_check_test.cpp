@@ -117,6 +117,12 @@ TEST(PolygonCheckTest, crossingContoursAreRefused) {
     EXPECT_EQ(dented(1e-6f), kNone);
 }
 
+TEST(PolygonCheckTest, bowTiesOfNoAreaAreRefused) {
+    EXPECT_THAT(errorOf({{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}}), HasSubstr("cross itself"));
+    // There and back.
+    EXPECT_EQ(errorOf({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 0, 0}}}), kNone);
+}
+
 TEST(PolygonCheckTest, holesThatAreNoneAreRefused) {
     EXPECT_THAT(errorOf({makeSquare(0, 2), makeSquare(0.5f, 1)}),
                 AllOf(HasSubstr("contour 1 of polygon light 1"), HasSubstr("reverse")));

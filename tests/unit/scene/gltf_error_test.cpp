@@ -41,7 +41,7 @@ TEST(GltfErrorTest, namesIndicesOutOfRangeAndTheirPlace) {
     EXPECT_EQ(errorAfter("/nodes/0/mesh", 7),
               "expected \"mesh\" below 1, found 7 (scene.gltf: nodes[0])");
     EXPECT_EQ(errorAfter("/nodes/0/mesh", -1),
-              "expected \"mesh\" below 1, found -1 (scene.gltf: nodes[0])");
+              "expected \"mesh\" to be 0 or more, found -1 (scene.gltf: nodes[0])");
     EXPECT_EQ(errorAfter("/nodes/0/skin", 0),
               "expected \"skin\" left out, since there is no \"skins\", found 0 (scene.gltf: "
               "nodes[0])");
