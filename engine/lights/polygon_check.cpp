@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "lights/plane_axes.hpp"
 
 namespace polylume {
 namespace {
@@ -57,10 +58,9 @@ class PolygonCheck {
         isLine_ = !(glm::length(across) > slack_ * extent_);
         if (!(area_ > 0.0) && isLine_) return;
         normal_ = glm::normalize(across);
-        const glm::dvec3 other =
-            std::abs(normal_.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-        axisX_ = glm::normalize(glm::cross(other, normal_));
-        axisY_ = glm::cross(normal_, axisX_);
+        const PlaneAxes axes(normal_);
+        axisX_ = axes.x;
+        axisY_ = axes.y;
     }
 
     void run() {

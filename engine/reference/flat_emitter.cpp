@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "lights/plane_axes.hpp"
+
 namespace polylume::reference {
 namespace {
 
@@ -49,10 +51,9 @@ std::optional<EmitterTexture> textureOf(const LightTexture& texture, const FlatE
 
 /// Of any outline that is no rectangle, from the normal and the origin on.
 void setPolygon(FlatEmitter& emitter, const PolygonLight& light) {
-    const glm::dvec3 helper =
-        std::abs(emitter.normal.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-    emitter.axisX = glm::normalize(glm::cross(helper, emitter.normal));
-    emitter.axisY = glm::cross(emitter.normal, emitter.axisX);
+    const PlaneAxes axes(emitter.normal);
+    emitter.axisX = axes.x;
+    emitter.axisY = axes.y;
     for (const std::vector<glm::vec3>& contour : light.contours) {
         PlanarContour& planar = emitter.contours.emplace_back();
         for (const glm::vec3& vertex : contour) {

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "lights/plane_axes.hpp"
+
 namespace polylume::reference {
 namespace {
 
@@ -115,7 +117,7 @@ std::vector<glm::dvec3> SolidView::outline() const {
     std::vector<glm::dvec3> outline;
     outline.reserve(kSides + 2);
     if (!body_) {
-        addEnd(outline, near_, perpendicular(near_.direction), kSides, kPi);
+        addEnd(outline, near_, perpendicularTo(near_.direction), kSides, kPi);
         return outline;
     }
     // The capsule's tangent planes touch the first end, both on one side, the last end, both on the
@@ -179,7 +181,7 @@ LightSample SolidView::sampleArea(const glm::dvec2& random) const {
     // Along the axis, round ends included, the area is even (Archimedes).
     const double length = glm::length(solid_.axis), radius = solid_.radius;
     const glm::dvec3 along = length > 0.0 ? solid_.axis / length : glm::dvec3(0, 0, 1);
-    const glm::dvec3 x = perpendicular(along), y = glm::cross(along, x);
+    const auto [x, y] = PlaneAxes(along);
     const double height = random.x * (length + 2.0 * radius) - radius;
     const double center = std::clamp(height, 0.0, length);
     const double sine = (height - center) / radius;

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "lights/plane_axes.hpp"
+
 namespace polylume::reference {
 namespace {
 
@@ -115,14 +117,9 @@ glm::dvec3 SphericalRectangle::sample(const glm::dvec2& random) const {
     return x * x_ + y * y_ + z0_ * z_;
 }
 
-glm::dvec3 perpendicular(const glm::dvec3& unit) {
-    const glm::dvec3 helper = std::abs(unit.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-    return glm::normalize(glm::cross(helper, unit));
-}
-
 SphericalCap::SphericalCap(const glm::dvec3& axis, double sine, double cosine)
     : axis_(axis),
-      x_(perpendicular(axis)),
+      x_(perpendicularTo(axis)),
       y_(glm::cross(axis, x_)),
       height_(sine * sine / (1.0 + cosine)),
       solidAngle_(2.0 * kPi * height_) {}

@@ -78,9 +78,6 @@ class SphericalBand {
     double first_, last_, sine_;
 };
 
-/// Unit, at right angles to a unit vector.
-glm::dvec3 perpendicular(const glm::dvec3& unit);
-
 /// The solid angle of a triangle (van Oosterom and Strackee 1983, eq. 8), not negative.
 double triangleSolidAngle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 

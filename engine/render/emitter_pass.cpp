@@ -5,19 +5,13 @@
 
 #include <limits>
 
+#include "lights/plane_axes.hpp"
+
 namespace polylume {
 namespace {
 
 constexpr int kRectangleVertexCount = 4;  // A strip.
 constexpr int kBoxVertexCount = 36;       // Triangles.
-
-/// Two unit vectors, x and y, that turn counter-clockwise seen from where the unit vector `z`
-/// points to.
-glm::mat2x3 axesAcross(const glm::vec3& z) {
-    const glm::vec3 helper = std::abs(z.x) < 0.5f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
-    const glm::vec3 x = glm::normalize(glm::cross(helper, z));
-    return {x, glm::cross(z, x)};
-}
 
 shared::EmitterData emitterOf(const shared::ParallelogramData& light) {
     shared::EmitterData data{};
@@ -33,7 +27,8 @@ shared::EmitterData emitterOf(const shared::ParallelogramData& light) {
 shared::EmitterData emitterOf(const shared::PolygonData& light,
                               const std::vector<glm::vec4>& vertices) {
     const glm::vec3 normal(light.plane);
-    const glm::mat2x3 axes = axesAcross(normal);
+    const PlaneAxes plane(normal);
+    const glm::mat2x3 axes(plane.x, plane.y);
     const glm::vec3 origin(vertices[light.vertices.x]);
     glm::vec2 low(std::numeric_limits<float>::max());
     glm::vec2 high(std::numeric_limits<float>::lowest());
@@ -70,12 +65,12 @@ shared::EmitterData makeSolid(const glm::vec3& start, const glm::vec3& axis, flo
     const float reach = 1.0001f * radius + 1e-6f * (glm::length(start) + glm::length(axis));
     const float length = glm::length(axis);
     const glm::vec3 x = length > 0.0f ? axis / length : glm::vec3(1.0f, 0.0f, 0.0f);
-    const glm::mat2x3 across = axesAcross(x);
+    const PlaneAxes across(x);
     shared::EmitterData data{};
-    data.corner = glm::vec4(start - reach * (x + across[0] + across[1]), 0.0f);
+    data.corner = glm::vec4(start - reach * (x + across.x + across.y), 0.0f);
     data.edgeX = glm::vec4((length + 2.0f * reach) * x, 0.0f);
-    data.edgeY = glm::vec4(2.0f * reach * across[0], 0.0f);
-    data.edgeZ = glm::vec4(2.0f * reach * across[1], 0.0f);
+    data.edgeY = glm::vec4(2.0f * reach * across.x, 0.0f);
+    data.edgeZ = glm::vec4(2.0f * reach * across.y, 0.0f);
     data.radiance = radiance;
     data.start = glm::vec4(start, radius);
     data.axis = glm::vec4(axis, 0.0f);

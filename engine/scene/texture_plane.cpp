@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lights/plane_axes.hpp"
+
 namespace polylume::scene {
 namespace {
 
@@ -31,9 +33,7 @@ TexturePlane::TexturePlane(std::span<const TexturedPoint> points, const glm::dve
         center_ += share * point.position;
         atCenter_ += share * point.texCoord;
     }
-    const glm::dvec3 helper = std::abs(normal.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-    const glm::dvec3 x = glm::normalize(glm::cross(helper, normal));
-    const glm::dvec3 y = glm::cross(normal, x);
+    const auto [x, y] = PlaneAxes(normal);
     // Normal equations of the two slopes of each coordinate.
     double xx = 0.0, xy = 0.0, yy = 0.0;
     glm::dvec2 alongX(0.0), alongY(0.0);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "lights/plane_axes.hpp"
 #include "reference/planar_outline.hpp"
 
 namespace polylume::test {
@@ -14,18 +15,12 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-glm::dvec3 anyPerpendicular(const glm::dvec3& unit) {
-    const glm::dvec3 helper = std::abs(unit.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-    return glm::normalize(glm::cross(helper, unit));
-}
-
 void addTriangles(const PolygonLight& light, const glm::dvec3& point,
                   std::vector<OutlinePart>& parts) {
     const glm::dvec3 origin(light.contours.front().front());
     const glm::dvec3 normal = glm::normalize(areaVector(light.contours.front()));
     if (!(glm::dot(point - origin, normal) > 0.0)) return;
-    const glm::dvec3 x = anyPerpendicular(normal);
-    const glm::dvec3 y = glm::cross(normal, x);
+    const auto [x, y] = PlaneAxes(normal);
     std::vector<reference::PlanarContour> contours;
     for (const auto& contour : light.contours) {
         reference::PlanarContour& planar = contours.emplace_back();
@@ -62,7 +57,7 @@ struct SeenCircle {
         const double square = glm::dot(center, center);
         const double share = 1.0 - radius * radius / square;
         middle = share * center;
-        x = radius * std::sqrt(share) * anyPerpendicular(center / std::sqrt(square));
+        x = radius * std::sqrt(share) * perpendicularTo(center / std::sqrt(square));
         y = glm::cross(x, center / std::sqrt(square));  // Counter-clockwise from the origin.
     }
     glm::dvec3 at(double angle) const { return middle + std::cos(angle) * x + std::sin(angle) * y; }
@@ -138,7 +133,7 @@ std::vector<OutlinePart> outlinesAt(const LightSet& lights, const glm::dvec3& po
 PathFactors polygonPath(const std::vector<OutlinePart>& parts, const PathPoint& point,
                         const ltc::TableEntry& entry) {
     glm::dvec3 x = point.view - glm::dot(point.view, point.normal) * point.normal;
-    x = glm::length(x) > 1e-9 ? glm::normalize(x) : anyPerpendicular(point.normal);
+    x = glm::length(x) > 1e-9 ? glm::normalize(x) : perpendicularTo(point.normal);
     const glm::dmat3 worldFromFrame(x, glm::cross(point.normal, x), point.normal);
     PathFactors sum;
     for (const OutlinePart& part : parts) {

@@ -42,6 +42,15 @@ inline std::string wayName(const ::testing::TestParamInfo<Way>& way) {
     return way.param.name;
 }
 
+/// The base of tests that run for each way.
+class SamplingTest : public ::testing::TestWithParam<Way> {
+  protected:
+    static bool isByArea() { return GetParam().sampling == LightSampling::area; }
+    static LightView viewOf(const AreaEmitter& emitter, const ShadingFrame& frame = {}) {
+        return {emitter, frame, GetParam().lobes, GetParam().sampling};
+    }
+};
+
 /// Mean and standard error of a sum over samples.
 struct Estimate {
     double sum = 0.0, squares = 0.0;

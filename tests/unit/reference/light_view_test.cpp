@@ -139,13 +139,7 @@ PlaneSums sumOverPlane(const Case& c, const LightView& view, bool byArea) {
     return sums;
 }
 
-class LightViewTest : public ::testing::TestWithParam<testing::Way> {
-  protected:
-    static bool isByArea() { return GetParam().sampling == LightSampling::area; }
-    static LightView viewOf(const AreaEmitter& emitter, const ShadingFrame& frame = {}) {
-        return {emitter, frame, GetParam().lobes, GetParam().sampling};
-    }
-};
+class LightViewTest : public testing::SamplingTest {};
 
 TEST_P(LightViewTest, densityIntegratesToOne) {
     for (const Case& c : cases()) {

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "light_samples.hpp"
+#include "lights/plane_axes.hpp"
 #include "ltc/polygon_integral.hpp"
 
 // Balls and capsules as a point sees them, against outlines that are searched for.
@@ -80,7 +81,7 @@ double distanceFromAxis(const SolidEmitter& solid, const glm::dvec3& direction) 
 std::vector<glm::dvec3> outlineOf(const SolidEmitter& solid, int count) {
     const glm::dvec3 middle = solid.nearestOfAxis();
     const glm::dvec3 z = glm::normalize(middle);
-    const glm::dvec3 x = perpendicular(z), y = glm::cross(z, x);
+    const auto [x, y] = PlaneAxes(z);
     std::vector<glm::dvec3> outline;
     for (int i = 0; i < count; ++i) {
         const double azimuth = 2.0 * kPi * (i + 0.5) / count;
@@ -145,13 +146,7 @@ Sums sumOver(const Case& c, const LightView& view) {
     return sums;
 }
 
-class SolidViewTest : public ::testing::TestWithParam<testing::Way> {
-  protected:
-    static bool isByArea() { return GetParam().sampling == LightSampling::area; }
-    static LightView viewOf(const AreaEmitter& emitter, const ShadingFrame& frame = {}) {
-        return {emitter, frame, GetParam().lobes, GetParam().sampling};
-    }
-};
+class SolidViewTest : public testing::SamplingTest {};
 
 TEST_P(SolidViewTest, densityIntegratesToOne) {
     for (const Case& c : cases()) {

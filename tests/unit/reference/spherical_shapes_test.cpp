@@ -12,6 +12,8 @@
 #include <random>
 #include <vector>
 
+#include "lights/plane_axes.hpp"
+
 namespace polylume::reference {
 namespace {
 
@@ -288,7 +290,7 @@ TEST(SphericalCapTest, isEvenAndAsLargeAsItIs) {
 
 TEST(SphericalBandTest, isEvenAndAsLargeAsItIs) {
     const glm::dvec3 x = glm::normalize(glm::dvec3(1, -2, 0.5));
-    const glm::dvec3 y = perpendicular(x);
+    const glm::dvec3 y = perpendicularTo(x);
     const glm::dmat3 axes(x, y, glm::cross(x, y));
     EXPECT_NEAR(glm::determinant(axes), 1.0, 1e-12);
     for (const double half : {1e-9, 0.01, 0.7, 0.5 * kPi}) {
