@@ -196,3 +196,18 @@ def tube(path, radius, columns=24, across=(0.0, 0.0, 1.0)):
         normal = add(scale(around, math.sqrt(max(0.0, 1 - lean * lean))), scale(along, lean))
         return add(center, scale(around, size)), normal, (column / columns, row / (len(rings) - 1))
     return grid(len(rings) - 1, columns, vertex)
+
+
+def bent_line(front, bend, radius, top, floor_steps, bend_steps):
+    """Points (z, y) of a floor that turns up into a wall: flat from z = front to bend, an arc, upright to y = top."""
+    line = [(front - i * (front - bend) / floor_steps, 0.0) for i in range(floor_steps)]
+    line += [(bend - radius * math.sin(a), radius - radius * math.cos(a))
+             for a in (math.pi / 2 * i / bend_steps for i in range(bend_steps + 1))]
+    return line + [(bend - radius, top)]
+
+
+def bent_normal(line, i):
+    """The normal of bent_line() at its point `i`, to where one stands."""
+    before, after = line[max(i - 1, 0)], line[min(i + 1, len(line) - 1)]
+    length = math.hypot(after[0] - before[0], after[1] - before[1])
+    return (0.0, (before[0] - after[0]) / length, (after[1] - before[1]) / length)

@@ -247,16 +247,11 @@ def lamp(document):
 def backdrop(document):
     """A table that turns up into a wall, as in studio.py, with the contact shadows painted on."""
     width, front, bend, radius, top = 11.0, 3.6, -1.7, 1.2, 4.5
-    line = [(front - i * (front - bend) / 4, 0.0) for i in range(4)]
-    line += [(bend - radius * math.sin(a), radius - radius * math.cos(a))
-             for a in (math.pi / 2 * i / 20 for i in range(21))]
-    line.append((bend - radius, top))
+    line = shapes.bent_line(front, bend, radius, top, 4, 20)
 
     def vertex(row, column):
         z, y = line[row]
-        before, behind = line[max(row - 1, 0)], line[min(row + 1, len(line) - 1)]
-        length = math.hypot(behind[0] - before[0], behind[1] - before[1])
-        normal = (0.0, (before[0] - behind[0]) / length, (behind[1] - before[1]) / length)
+        normal = shapes.bent_normal(line, row)
         x = (0.5 - column) * width
         return (x, y, z), normal, (x / 3.6 + 0.5, z / 3.6 + 0.5 if y < 1e-6 else -1.0)
 

@@ -110,16 +110,11 @@ def tin(document, place):
 def backdrop(document):
     """A floor that turns up into a wall, 12 m wide, with the contact shadows painted on."""
     width, front, bend, radius, top = 12.0, 4.5, -1.9, 1.7, 5.0
-    line = [(front - i * (front - bend) / 8, 0.0) for i in range(8)]
-    line += [(bend - radius * math.sin(a), radius - radius * math.cos(a))
-             for a in (math.pi / 2 * i / 24 for i in range(25))]
-    line.append((bend - radius, top))
+    line = shapes.bent_line(front, bend, radius, top, 8, 24)
 
     def vertex(row, column):
         z, y = line[row]
-        before, after = line[max(row - 1, 0)], line[min(row + 1, len(line) - 1)]
-        length = math.hypot(after[0] - before[0], after[1] - before[1])
-        normal = (0.0, (before[0] - after[0]) / length, (after[1] - before[1]) / length)
+        normal = shapes.bent_normal(line, row)
         x = (column / 4 - 0.5) * width
         # The picture covers 4.5 m around the objects; what is outside repeats its edge.
         return (x, y, z), normal, (x / 4.5 + 0.5, z / 4.5 + 0.5 if y < 1e-6 else -1.0)
