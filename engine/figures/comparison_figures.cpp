@@ -26,15 +26,29 @@ std::string nameOf(double roughness) {
     return fmt::format("r{:.2f}", roughness);
 }
 
+/// `scene` as LTC draw it, beside `truth`, to which a reference is kept.
+Comparison compareScene(PictureMaker& maker, const std::string& name, const std::string& title,
+                        const scene::Scene& scene, Quality quality, const TracedPicture& truth) {
+    Comparison comparison;
+    comparison.name = name;
+    comparison.title = title;
+    comparison.ltc = maker.drawLtc(scene, quality, true);
+    comparison.truth = &truth;
+    comparison.errors = measureErrors(comparison.ltc.image, truth.image);
+    return comparison;
+}
+
 Comparison compareFloor(PictureMaker& maker, double roughness, Quality quality,
                         Progress& progress) {
-    Comparison comparison;
-    comparison.name = nameOf(roughness);
-    comparison.title = fmt::format("Roughness {:.2f}", roughness);
-    comparison.ltc = maker.drawLtc(makeFloorScene(roughness), quality, true);
-    comparison.truth = &maker.tracedFloor(roughness, progress);
-    comparison.errors = measureErrors(comparison.ltc.image, comparison.truth->image);
-    return comparison;
+    return compareScene(maker, nameOf(roughness), fmt::format("Roughness {:.2f}", roughness),
+                        makeFloorScene(roughness), quality, maker.tracedFloor(roughness, progress));
+}
+
+/// Those that are made, of all.
+template <typename Case>
+std::vector<Case> shownCases(std::vector<Case> cases, bool quick) {
+    if (quick) std::erase_if(cases, [](const Case& c) { return !c.shownQuick; });
+    return cases;
 }
 
 template <typename Cells>
@@ -106,17 +120,12 @@ Figure makeFailureFigure(const FigureFolder& folder, PictureMaker& maker, bool q
         "says what goes wrong there and why. Sliders, colours and columns are those of the "
         "floor's figure."};
     DataTable table = startTable("Errors and costs by case", {"case"});
-    std::vector<FailureCase> cases = failureCases();
-    if (quick) std::erase_if(cases, [](const auto& c) { return !c.shownQuick; });
+    const std::vector<FailureCase> cases = shownCases(failureCases(), quick);
     for (std::size_t i = 0; i < cases.size(); ++i) {
         PartialProgress part(progress, i, cases.size());
-        Comparison comparison;
-        comparison.name = cases[i].name;
-        comparison.title = cases[i].title;
         const TracedPicture truth = maker.trace(cases[i].scene, cases[i].pathFactor, part);
-        comparison.truth = &truth;
-        comparison.ltc = maker.drawLtc(cases[i].scene, Quality::standard, true);
-        comparison.errors = measureErrors(comparison.ltc.image, truth.image);
+        const Comparison comparison = compareScene(maker, cases[i].name, cases[i].title,
+                                                   cases[i].scene, Quality::standard, truth);
         Panel panel = makePanel(folder, comparison);
         panel.note += " " + cases[i].cause;
         figure.panels.push_back(panel);
@@ -181,17 +190,12 @@ Figure makeShapeFigure(const FigureFolder& folder, PictureMaker& maker, bool qui
         "square, which weighs by light, tells more.",
         kRoughness)};
     DataTable table = startTable("Errors and costs by shape", {"light"});
-    std::vector<ShapeCase> cases = shapeCases(kRoughness);
-    if (quick) std::erase_if(cases, [](const auto& c) { return !c.shownQuick; });
+    const std::vector<ShapeCase> cases = shownCases(shapeCases(kRoughness), quick);
     for (std::size_t i = 0; i < cases.size(); ++i) {
         PartialProgress part(progress, i, cases.size());
-        Comparison comparison;
-        comparison.name = cases[i].name;
-        comparison.title = cases[i].title;
         const TracedPicture truth = maker.trace(cases[i].scene, 1, part);
-        comparison.truth = &truth;
-        comparison.ltc = maker.drawLtc(cases[i].scene, Quality::standard, true);
-        comparison.errors = measureErrors(comparison.ltc.image, truth.image);
+        const Comparison comparison = compareScene(maker, cases[i].name, cases[i].title,
+                                                   cases[i].scene, Quality::standard, truth);
         Panel panel = makePanel(folder, comparison);
         panel.pictures.emplace_back(
             "LTC with the light",

@@ -76,18 +76,23 @@ class KeptTarget {
 
 }  // namespace
 
-LightTextureArray::LightTextureArray(const gl::Functions& gl, const gl::ShaderLibrary& library,
+LightImagePrograms::LightImagePrograms(const gl::Functions& gl, const gl::ShaderLibrary& library) {
+    const auto makeProgram = [&](const char* path) {
+        return gl::Program(gl, library, "passes/fullscreen.vert", path, {}, "light images");
+    };
+    image = makeProgram("passes/light_image.frag");
+    average = makeProgram("passes/light_image_average.frag");
+    fill = makeProgram("passes/light_image_fill.frag");
+}
+
+LightTextureArray::LightTextureArray(const gl::Functions& gl,
+                                     std::shared_ptr<const LightImagePrograms> programs,
                                      std::vector<TexturedLight> lights)
-    : gl_(&gl), lights_(std::move(lights)) {
+    : gl_(&gl), lights_(std::move(lights)), programs_(std::move(programs)) {
     if (lights_.empty()) return;
     chooseSize();
     makeTexture();
     noVertices_ = gl::VertexArray(gl, "light images, no vertices");
-    const auto makeProgram = [&](const char* path) {
-        return gl::Program(gl, library, "passes/fullscreen.vert", path, {}, "light images");
-    };
-    image_ = makeProgram("passes/light_image.frag");
-    average_ = makeProgram("passes/light_image_average.frag");
     for (const TexturedLight& light : lights_) {
         Bake& bake = bakes_.emplace_back();
         bake.sampler =
@@ -95,7 +100,6 @@ LightTextureArray::LightTextureArray(const gl::Functions& gl, const gl::ShaderLi
         gl.SamplerParameteri(bake.sampler.name(), GL_TEXTURE_WRAP_S, wrapMode(light.texture.wrapU));
         gl.SamplerParameteri(bake.sampler.name(), GL_TEXTURE_WRAP_T, wrapMode(light.texture.wrapV));
         if (!light.frame.contours.empty()) {
-            if (fill_.isEmpty()) fill_ = makeProgram("passes/light_image_fill.frag");
             bake.coverage = gl::Texture(gl, GL_R8, light.frame.size, 1, "light coverage");
             bake.coverage.upload(GL_RED, GL_UNSIGNED_BYTE, lightCoverage(light.frame).data());
         }
@@ -182,7 +186,7 @@ void LightTextureArray::drawLevel(std::size_t layer, int level, const gl::Progra
                                       level, static_cast<GLint>(layer));
     gl_->Viewport(0, 0, size_ >> level, size_ >> level);
     program.use();
-    if (&program != &image_) {
+    if (&program != &programs_->image) {
         gl_->ProgramUniform2i(program.name(), shared::kBakeTargetLocation,
                               static_cast<GLint>(layer), level);
     }
@@ -210,17 +214,17 @@ void LightTextureArray::bakeImage(std::size_t layer, GLuint source, glm::ivec2 s
                                  glm::length(y * glm::vec2(sourceSize)) / size.y);
     const glm::ivec2 reads = glm::clamp(glm::ivec2(glm::ceil(sourceTexels / 2.0f - 0.01f)),
                                         glm::ivec2(1), glm::ivec2(8));
-    const GLuint program = image_.name();
+    const GLuint program = programs_->image.name();
     gl_->ProgramUniform2f(program, shared::kBakeScaleLocation, light.scale.x, light.scale.y);
     gl_->ProgramUniform2f(program, shared::kBakeOriginLocation, origin.x, origin.y);
     gl_->ProgramUniform4f(program, shared::kBakeAxesLocation, x.x, x.y, y.x, y.y);
     gl_->ProgramUniform3i(program, shared::kBakeReadsLocation, reads.x, reads.y, isCovered);
     const float largest = format_ == GL_RGBA32F ? 1e30f : 65000.0f;
     gl_->ProgramUniform1f(program, shared::kBakeLargestLocation, largest);
-    drawLevel(layer, 0, image_);
-    for (int level = 1; level < levelCount_; ++level) drawLevel(layer, level, average_);
+    drawLevel(layer, 0, programs_->image);
+    for (int level = 1; level < levelCount_; ++level) drawLevel(layer, level, programs_->average);
     if (!isCovered) return;
-    for (int level = levelCount_ - 1; level >= 0; --level) drawLevel(layer, level, fill_);
+    for (int level = levelCount_ - 1; level >= 0; --level) drawLevel(layer, level, programs_->fill);
 }
 
 }  // namespace polylume

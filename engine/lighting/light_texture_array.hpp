@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -22,6 +23,13 @@ struct TexturedLight {
     glm::vec2 scale{1.0f};  ///< Of the frame's places to texture coordinates of the array's layer.
 };
 
+/// What filters images: made once, for all arrays.
+struct LightImagePrograms {
+    LightImagePrograms(const gl::Functions& gl, const gl::ShaderLibrary& library);
+
+    gl::Program image, average, fill;
+};
+
 /// Prefiltered images of lights, each a layer of one texture array with all mip levels: linear
 /// factors of the radiance, each texel the mean over the part of the light that it covers. Where a
 /// layer is larger than a light's image it repeats it mirrored, so that filters see the edge as if
@@ -33,8 +41,9 @@ class LightTextureArray {
     static constexpr std::size_t kLargestSizeBytes = std::size_t{512} << 20;
 
     LightTextureArray() = default;
-    /// Filters the images of `lights`, a layer each. Keeps a reference to `gl`.
-    LightTextureArray(const gl::Functions& gl, const gl::ShaderLibrary& library,
+    /// Filters the images of `lights`, a layer each. Keeps a reference to `gl`. `programs` may be
+    /// null where there are no lights.
+    LightTextureArray(const gl::Functions& gl, std::shared_ptr<const LightImagePrograms> programs,
                       std::vector<TexturedLight> lights);
 
     /// Filters layer `layer` anew from a texture of the caller's (GL_TEXTURE_2D, level 0, any
@@ -81,7 +90,7 @@ class LightTextureArray {
     gl::Texture staging_;          ///< Of the last LightImage.
     gl::SamplerObject reading_;    ///< Of the array for a coarser level,
     gl::SamplerObject filtering_;  ///< and for lighting.
-    gl::Program image_, average_, fill_;
+    std::shared_ptr<const LightImagePrograms> programs_;
     gl::VertexArray noVertices_;
 };
 

@@ -60,7 +60,10 @@ LightingPass::LightingPass(const gl::Functions& gl, const gl::ShaderLibrary& lib
 void LightingPass::setLights(const LightSet& lights) {
     PackedLights packed = packLights(lights);
     checkVertexCount(gl_, packed.polygonVertices.size());
-    LightTextureArray images(gl_, library_, std::move(packed.texturedLights));
+    if (!packed.texturedLights.empty() && !imagePrograms_) {
+        imagePrograms_ = std::make_shared<LightImagePrograms>(gl_, library_);
+    }
+    LightTextureArray images(gl_, imagePrograms_, std::move(packed.texturedLights));
     packed_ = std::move(packed);
     lightImages_ = std::move(images);
     uploadLightTextures();

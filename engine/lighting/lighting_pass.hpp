@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -89,6 +90,7 @@ class LightingPass {
     gl::Buffer ellipses_;
     gl::Buffer spheres_;
     gl::Buffer tubes_;
+    std::shared_ptr<const LightImagePrograms> imagePrograms_;  ///< Null before a textured light.
     LightTextureArray lightImages_;
     gl::Buffer lightTextures_;
     gl::Program program_;
