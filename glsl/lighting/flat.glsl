@@ -12,8 +12,8 @@
 #include "ltc/triangle.glsl"
 #endif
 
-// Parallelograms, triangles and other polygons. `factors` are those of the diffuse and of the specular reflection, as light counts them;
-// rounding leaves them up to a millionth below 0. A `lobeFactor` is that of one lobe.
+// Parallelograms, triangles and other polygons. `factors` are those of the diffuse and of the specular reflection, as
+// light counts them; rounding leaves them up to a millionth below 0. A `lobeFactor` is that of one lobe.
 
 /// Form factors know no lengths: a frame may be scaled. flatLobes() makes it so small that products of four lengths do not
 /// overflow.
@@ -21,8 +21,6 @@ SurfaceLobes flatLobes(SurfaceLobes surface) {
     surface.frameFromWorld *= lighting.lobeWeight.w;
     return surface;
 }
-
-float largestOf(vec3 v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); }
 
 /// Parallelogram light `index` as the point sees it, and how it counts: 1 from the side that emits, -1 from the back of
 /// one that emits from both, else 0.

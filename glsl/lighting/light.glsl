@@ -10,3 +10,5 @@ float lightSide(float distance, float scale, float twoSided) {
     float side = distance > 0.0 ? 1.0 : -twoSided;
     return abs(distance) > 1e-6 * scale ? side : 0.0;
 }
+
+float largestOf(vec3 v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); }

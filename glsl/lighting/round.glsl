@@ -17,8 +17,7 @@ LtcEllipse ellipseOf(uint index, vec3 positionWorld, mat3 frameFromWorld, out fl
     EllipseData light = ellipses[index];
     vec3 center = light.center.xyz - positionWorld;
     float height = -dot(light.normal.xyz, center);
-    float scale = max(abs(center.x), max(abs(center.y), abs(center.z)));
-    side = abs(lightSide(height, scale, light.center.w));
+    side = abs(lightSide(height, largestOf(center), light.center.w));
     // Sizes about 1: products of them stay in range.
     float unit = inversesqrt(dot(center, center) + dot(light.halfAxisX.xyz, light.halfAxisX.xyz) +
                              dot(light.halfAxisY.xyz, light.halfAxisY.xyz));

@@ -10,6 +10,8 @@
 // KHR_materials_sheen: Charlie's lobe over everything else. Its lights are a loop of their own, of no turns for a
 // surface without sheen; such a surface does not pay for those that have it.
 
+void addLobe(float factor, vec3 radiance, inout vec3 sum) { sum += clamp(factor, 0.0, 1.0) * radiance; }
+
 /// Where the surface has sheen, what it reflects of the area lights with a sheen colour of 1 is added.
 /// `albedo` is the directional albedo there, else 0.
 void addSheen(Surface surface, mat3 frameFromWorld, inout Reflection reflection, out float albedo) {
@@ -27,22 +29,20 @@ void addSheen(Surface surface, mat3 frameFromWorld, inout Reflection reflection,
 #ifdef POLYLUME_PARALLELOGRAM_LIGHTS
         uint parallelogram = 0u;
         do {
-            float factor = parallelogramLobeFactor(parallelogram, position, scaledFrame, lobe);
-            sum += clamp(factor, 0.0, 1.0) * parallelograms[parallelogram].radiance.rgb;
+            addLobe(parallelogramLobeFactor(parallelogram, position, scaledFrame, lobe),
+                    parallelograms[parallelogram].radiance.rgb, sum);
         } while (++parallelogram < lighting.lightCount.x);
 #endif
 #ifdef POLYLUME_TRIANGLE_LIGHTS
         uint triangle = 0u;
         do {
-            float factor = triangleLobeFactor(triangle, position, scaledFrame, lobe);
-            sum += clamp(factor, 0.0, 1.0) * polygons[triangle].radiance.rgb;
+            addLobe(triangleLobeFactor(triangle, position, scaledFrame, lobe), polygons[triangle].radiance.rgb, sum);
         } while (++triangle < lighting.lightCount.w);
 #endif
 #ifdef POLYLUME_POLYGON_LIGHTS
         uint polygon = lighting.lightCount.w;
         do {
-            float factor = polygonLobeFactor(polygon, position, scaledFrame, lobe);
-            sum += clamp(factor, 0.0, 1.0) * polygons[polygon].radiance.rgb;
+            addLobe(polygonLobeFactor(polygon, position, scaledFrame, lobe), polygons[polygon].radiance.rgb, sum);
         } while (++polygon < lighting.lightCount.y);
 #endif
 #ifdef POLYLUME_TEXTURED_PARALLELOGRAM_LIGHTS
@@ -63,22 +63,19 @@ void addSheen(Surface surface, mat3 frameFromWorld, inout Reflection reflection,
 #if defined(POLYLUME_DISK_LIGHTS) || defined(POLYLUME_ELLIPSE_LIGHTS)
         uint ellipse = 0u;
         do {
-            float factor = ellipseLobeFactor(ellipse, position, frameFromWorld, lobe);
-            sum += clamp(factor, 0.0, 1.0) * ellipses[ellipse].radiance.rgb;
+            addLobe(ellipseLobeFactor(ellipse, position, frameFromWorld, lobe), ellipses[ellipse].radiance.rgb, sum);
         } while (++ellipse < lighting.roundLightCount.x);
 #endif
 #ifdef POLYLUME_SPHERE_LIGHTS
         uint sphere = 0u;
         do {
-            float factor = sphereLobeFactor(sphere, position, frameFromWorld, lobe);
-            sum += clamp(factor, 0.0, 1.0) * spheres[sphere].radiance.rgb;
+            addLobe(sphereLobeFactor(sphere, position, frameFromWorld, lobe), spheres[sphere].radiance.rgb, sum);
         } while (++sphere < lighting.roundLightCount.y);
 #endif
 #ifdef POLYLUME_TUBE_LIGHTS
         uint tube = 0u;
         do {
-            float factor = tubeLobeFactor(tube, position, frameFromWorld, lobe);
-            sum += clamp(factor, 0.0, 1.0) * tubes[tube].radiance.rgb;
+            addLobe(tubeLobeFactor(tube, position, frameFromWorld, lobe), tubes[tube].radiance.rgb, sum);
         } while (++tube < lighting.roundLightCount.z);
 #endif
     }

@@ -68,8 +68,7 @@ const vec4 kEvenSpread = vec4(0.5, 0.5, 12.0, 12.0);
 
 LtcParallelogramEdges texturedEdges(ParallelogramData light, vec3 positionWorld, mat3 frameFromWorld, out float side) {
     vec3 corner = light.corner.xyz - positionWorld;
-    side = lightSide(-dot(light.normal.xyz, corner), max(abs(corner.x), max(abs(corner.y), abs(corner.z))),
-                     light.corner.w);
+    side = lightSide(-dot(light.normal.xyz, corner), largestOf(corner), light.corner.w);
     return ltcParallelogramEdges(frameFromWorld * corner, frameFromWorld * light.edgeX.xyz,
                                  frameFromWorld * light.edgeY.xyz);
 }

@@ -25,4 +25,17 @@ inline PolygonLight makeHoledLight(float height) {
     return light;
 }
 
+/// An L with a square hole in the plane z = 0, facing along z.
+inline PolygonLight makeUprightHoledLight() {
+    PolygonLight light;
+    light.contours = {{{-0.75f, -0.75f, 0},
+                       {0.75f, -0.75f, 0},
+                       {0.75f, 0.25f, 0},
+                       {0.25f, 0.25f, 0},
+                       {0.25f, 0.75f, 0},
+                       {-0.75f, 0.75f, 0}},
+                      {{-0.5f, -0.5f, 0}, {-0.5f, 0, 0}, {0, 0, 0}, {0, -0.5f, 0}}};
+    return light;
+}
+
 }  // namespace polylume::test

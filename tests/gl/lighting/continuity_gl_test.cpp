@@ -134,11 +134,9 @@ class ContinuityTest : public test::GlTest {
             point.normalWorld = glm::normalize(glm::vec3(tilt, 0.3f * tilt, 1.0f));
             point.distance = 4.0f;
             point.roughness = std::max(0.05f, static_cast<float>(i / kSize) / (kSize - 1.0f));
-            point.diffuseAlbedo = glm::vec3(lobes == Lobes::diffuse ? 1.0f : 0.0f);
-            point.f0 = glm::vec3(lobes == Lobes::specular ? 1.0f : 0.0f);
-            point.f90 = lobes == Lobes::specular ? 1.0f : 0.0f;
             points.push_back(point);
         }
+        test::reflectOnly(lobes, points);
         return points;
     }
 

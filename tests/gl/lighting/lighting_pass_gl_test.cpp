@@ -66,11 +66,7 @@ class LightingPassTest : public test::GlTest {
         lighting.setLights({{light}, {}});
         ShadingHarness harness(gl(), kSize);
         std::vector<ShadingPoint> points = makePoints(harness.pointCount(), roughness, 7);
-        for (ShadingPoint& point : points) {
-            point.diffuseAlbedo = glm::vec3(lobes == Lobes::diffuse ? 1.0f : 0.0f);
-            point.f0 = glm::vec3(lobes == Lobes::specular ? 1.0f : 0.0f);
-            point.f90 = lobes == Lobes::specular ? 1.0f : 0.0f;
-        }
+        test::reflectOnly(lobes, points);
         harness.setPoints(points);
         const std::vector<glm::vec4> shaded = harness.shade(lighting);
         const std::vector<SurfacePixel> decoded = harness.decoded();

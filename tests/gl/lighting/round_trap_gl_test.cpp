@@ -12,6 +12,7 @@
 
 #include "gl/support/gl_test.hpp"
 #include "shading_harness.hpp"
+#include "trap_random.hpp"
 
 // The traps of round lights: points in a light's plane, on its rim and surface, inside, end-on and
 // concentric; needles, specks and lights that fill the sky; views along and away from the normal.
@@ -32,14 +33,12 @@ constexpr float kAvertedCosine = 1e-3f;
 /// Frames that hold POLYLUME_TRAP_CASES cases of a shape, two without it. A case is a point and a
 /// light: a frame has two million.
 int frameCount() {
-    const char* text = std::getenv("POLYLUME_TRAP_CASES");
-    const double cases = text == nullptr ? 0.0 : std::strtod(text, nullptr);
-    return std::max(2, static_cast<int>(std::ceil(cases / (double{kLightCount} * kSize * kSize))));
+    return test::trapFrameCount(double{kLightCount} * kSize * kSize, 2);
 }
 
-class RoundTraps {
+class RoundTraps : test::TrapRandom {
   public:
-    explicit RoundTraps(unsigned seed) : generator_(seed) {}
+    using TrapRandom::TrapRandom;
 
     std::vector<ShadingPoint> makePoints(int count, float leastRoughness) {
         std::vector<ShadingPoint> points(static_cast<std::size_t>(count));
@@ -88,41 +87,11 @@ class RoundTraps {
     }
 
   private:
-    int pick(int low, int high) {
-        return std::uniform_int_distribution<int>(low, high)(generator_);
-    }
-    float uniform(float low, float high) {
-        return std::uniform_real_distribution<float>(low, high)(generator_);
-    }
     float size() {
         const float even = 0.25f * static_cast<float>(pick(1, 16));
         const int kind = pick(0, 7);
         return even * (kind == 0 ? 1e-6f : kind == 1 ? 1e-3f : kind == 2 ? 1e4f : 1.0f);
     }
-    glm::vec3 makeNormal() {
-        switch (pick(0, 5)) {
-            case 0:
-                return {0, 0, 1};
-            case 1:
-                return {0, 0, -1};
-            case 2:
-                return pick(0, 1) == 0 ? glm::vec3(1, 0, 0) : glm::vec3(0, -1, 0);
-            case 3:
-                return glm::normalize(glm::vec3(1e-6f, 0, pick(0, 1) == 0 ? 1.0f : 1e-6f));
-            default:
-                return glm::normalize(glm::vec3(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)) +
-                                      glm::vec3(0, 0, 1e-3f));
-        }
-    }
-    /// Where pixel centres lie.
-    glm::vec3 gridPoint() {
-        const float half = 0.5f / 64.0f;
-        return {0.25f * static_cast<float>(pick(-16, 16)) + half,
-                0.25f * static_cast<float>(pick(-16, 16)) + half,
-                -0.25f * static_cast<float>(pick(0, 32))};
-    }
-
-    std::mt19937 generator_;
 };
 
 /// Sum, least and largest of the factors of each light.

@@ -26,6 +26,15 @@ struct ShadingPoint {
     float sheenRoughness = 0.5f;
 };
 
+/// Leaves the points one reflection, of all light.
+inline void reflectOnly(Lobes lobes, std::vector<ShadingPoint>& points) {
+    for (ShadingPoint& point : points) {
+        point.diffuseAlbedo = glm::vec3(lobes == Lobes::diffuse ? 1.0f : 0.0f);
+        point.f0 = glm::vec3(lobes == Lobes::specular ? 1.0f : 0.0f);
+        point.f90 = lobes == Lobes::specular ? 1.0f : 0.0f;
+    }
+}
+
 /// Runs the lighting pass over points that were not drawn but put into the G-buffer, one a pixel,
 /// seen by an orthographic camera. Pixel (x, y) from the bottom left lies at ((x + 0.5) / 64 -
 /// halfExtent, ..., -distance) exactly.

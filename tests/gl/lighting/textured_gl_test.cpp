@@ -12,6 +12,7 @@
 #include "lighting/lighting_pass.hpp"
 #include "ltc/builtin_table.hpp"
 #include "shading_harness.hpp"
+#include "trap_random.hpp"
 
 namespace polylume {
 namespace {
@@ -252,9 +253,7 @@ TEST_P(TexturedLightTest, badTexturesAreRefusedByTheLightsName) {
 
 /// Rounds of the trap sweep that hold POLYLUME_TRAP_CASES cases.
 int roundCount() {
-    const char* text = std::getenv("POLYLUME_TRAP_CASES");
-    const double cases = text == nullptr ? 0.0 : std::strtod(text, nullptr);
-    return std::max(60, static_cast<int>(std::ceil(cases / (double{kSize} * kSize))));
+    return test::trapFrameCount(double{kSize} * kSize, 60);
 }
 
 TEST_P(TexturedLightTest, noTrapGivesWhatIsNoNumber) {
@@ -334,11 +333,7 @@ TEST_P(TexturedLightTest, errorsAgainstTheIntegralAreNotLargerThanStated) {
         for (const Lobes lobes : {Lobes::diffuse, Lobes::specular}) {
             lighting.setLobes(lobes);
             std::vector<ShadingPoint> points = makePoints(kSize * kSize, 8);
-            for (ShadingPoint& point : points) {
-                point.diffuseAlbedo = glm::vec3(lobes == Lobes::diffuse ? 1.0f : 0.0f);
-                point.f0 = glm::vec3(lobes == Lobes::specular ? 1.0f : 0.0f);
-                point.f90 = point.f0.x;
-            }
+            test::reflectOnly(lobes, points);
             ShadingHarness harness(gl(), kSize);
             harness.setPoints(points);
             const std::vector<glm::vec4> shaded = harness.shade(lighting);

@@ -11,6 +11,7 @@
 
 #include "gl/support/gl_test.hpp"
 #include "shading_harness.hpp"
+#include "trap_random.hpp"
 
 namespace polylume {
 namespace {
@@ -24,9 +25,7 @@ constexpr int kLightCount = 12;
 /// Frames that hold POLYLUME_TRAP_CASES cases, one without it. A case is a point and a light: a
 /// frame has three million.
 int frameCount() {
-    const char* text = std::getenv("POLYLUME_TRAP_CASES");
-    const double cases = text == nullptr ? 1.0 : std::strtod(text, nullptr);
-    return std::max(1, static_cast<int>(std::ceil(cases / (double{kLightCount} * kSize * kSize))));
+    return test::trapFrameCount(double{kLightCount} * kSize * kSize, 1);
 }
 
 /// What all lights of a sweep are: each has its own path through the shader, or its own traps.
@@ -68,11 +67,11 @@ std::vector<glm::vec3> makeRing(const glm::vec3& corner, const glm::vec3& x, con
 
 /// Points and lights on a grid of quarters, where everything that can coincide does: points on
 /// planes, edges and vertices of lights, lights on the horizon, views along the normal.
-class TrapSweep {
+class TrapSweep : test::TrapRandom {
   public:
     /// With `withHuge` some lights reach 1e5 times farther than the points.
     TrapSweep(unsigned seed, bool withHuge, Shape shape)
-        : generator_(seed), withHuge_(withHuge), shape_(shape) {}
+        : TrapRandom(seed), withHuge_(withHuge), shape_(shape) {}
 
     std::vector<ShadingPoint> makePoints(int count) {
         std::vector<ShadingPoint> points(static_cast<std::size_t>(count));
@@ -112,38 +111,6 @@ class TrapSweep {
     }
 
   private:
-    int pick(int low, int high) {
-        return std::uniform_int_distribution<int>(low, high)(generator_);
-    }
-    float uniform(float low, float high) {
-        return std::uniform_real_distribution<float>(low, high)(generator_);
-    }
-
-    glm::vec3 makeNormal() {
-        switch (pick(0, 5)) {
-            case 0:
-                return {0, 0, 1};  // Along the view.
-            case 1:
-                return {0, 0, -1};  // Away from it.
-            case 2:                 // At right angles to it.
-                return pick(0, 1) == 0 ? glm::vec3(1, 0, 0) : glm::vec3(0, -1, 0);
-            case 3:  // A hair off the view and off the horizon.
-                return glm::normalize(glm::vec3(1e-6f, 0, pick(0, 1) == 0 ? 1.0f : 1e-6f));
-            default:
-                return glm::normalize(glm::vec3(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)) +
-                                      glm::vec3(0, 0, 1e-3f));
-        }
-    }
-
-    /// Some 1,000 pixel centres of a frame lie on such a point, and every plane of a light passes
-    /// through thousands.
-    glm::vec3 gridPoint() {
-        const float half = 0.5f / 64.0f;
-        return {0.25f * static_cast<float>(pick(-16, 16)) + half,
-                0.25f * static_cast<float>(pick(-16, 16)) + half,
-                -0.25f * static_cast<float>(pick(0, 32))};
-    }
-
     std::vector<glm::vec3> makeContour() {
         const glm::vec3 corner = gridPoint();
         glm::vec3 x(0.0f);
@@ -213,7 +180,6 @@ class TrapSweep {
         light.contours.push_back(hole);
     }
 
-    std::mt19937 generator_;
     bool withHuge_;
     Shape shape_;
 };

@@ -30,6 +30,16 @@ class EmissiveLightTest : public test::RenderTest {
     Frame draw(const scene::Scene& scene) {
         return drawFrame(scene, test::makeFrontCamera(), test::makeOptions({kSize, kSize}));
     }
+
+    /// Were the light drawn as well, a brighter one would show.
+    void expectNotDrawn(scene::Scene scene, const Frame& before) {
+        auto& light = std::get<PolygonLight>(scene.areaLights.at(0).shape);
+        light.radiance *= 2.0f;
+        for (glm::vec3& vertex : light.contours[0]) vertex.z += 0.1f;
+        EXPECT_EQ(draw(scene).radiance, before.radiance);
+        light.shownBySurface = false;
+        EXPECT_NE(draw(scene).radiance, before.radiance);
+    }
 };
 
 TEST_P(EmissiveLightTest, thePanelLooksAsBefore) {
@@ -40,13 +50,7 @@ TEST_P(EmissiveLightTest, thePanelLooksAsBefore) {
     // It faces away from the wall.
     EXPECT_EQ(draw(scene).radiance, before.radiance);
     EXPECT_EQ(before.radiance[kSize / 2 * kSize + kSize / 2], glm::vec4(100, 200, 300, 1));
-    // Were it drawn as well, a brighter one would show.
-    auto& light = std::get<PolygonLight>(scene.areaLights[0].shape);
-    light.radiance *= 2.0f;
-    for (glm::vec3& vertex : light.contours[0]) vertex.z += 0.1f;
-    EXPECT_EQ(draw(scene).radiance, before.radiance);
-    light.shownBySurface = false;
-    EXPECT_NE(draw(scene).radiance, before.radiance);
+    expectNotDrawn(scene, before);
 }
 
 TEST_P(EmissiveLightTest, anyOutlineIsNotDrawnTwice) {
@@ -55,13 +59,9 @@ TEST_P(EmissiveLightTest, anyOutlineIsNotDrawnTwice) {
     scene.meshes[1].indices.resize(3);
     const Frame before = draw(scene);
     scene::addEmissiveLights(scene);
-    auto& light = std::get<PolygonLight>(scene.areaLights.at(0).shape);
+    const auto& light = std::get<PolygonLight>(scene.areaLights.at(0).shape);
     ASSERT_EQ(light.contours[0].size(), 3u);
-    light.radiance *= 2.0f;
-    for (glm::vec3& vertex : light.contours[0]) vertex.z += 0.1f;
-    EXPECT_EQ(draw(scene).radiance, before.radiance);
-    light.shownBySurface = false;
-    EXPECT_NE(draw(scene).radiance, before.radiance);
+    expectNotDrawn(scene, before);
 }
 
 TEST_P(EmissiveLightTest, aDoubleSidedPanelLightsWhatIsBehindIt) {

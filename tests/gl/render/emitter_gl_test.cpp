@@ -5,6 +5,7 @@
 
 #include "gl/lighting/shading_harness.hpp"
 #include "render_fixture.hpp"
+#include "support/test_lights.hpp"
 #include "view/camera_projection.hpp"
 
 namespace polylume {
@@ -188,15 +189,7 @@ TEST_P(EmitterTest, emittersCountForTheExposureWhereNothingElseDoes) {
 }
 
 TEST_P(EmitterTest, aHoleShowsWhatIsBehind) {
-    // An L and a square hole, toward the camera: counter-clockwise from +z.
-    PolygonLight light;
-    light.contours = {{{-0.75f, -0.75f, 0},
-                       {0.75f, -0.75f, 0},
-                       {0.75f, 0.25f, 0},
-                       {0.25f, 0.25f, 0},
-                       {0.25f, 0.75f, 0},
-                       {-0.75f, 0.75f, 0}},
-                      {{-0.5f, -0.5f, 0}, {-0.5f, 0, 0}, {0, 0, 0}, {0, -0.5f, 0}}};
+    PolygonLight light = test::makeUprightHoledLight();
     light.radiance = kNits;
     const auto isLight = [](const glm::vec2& p) {
         const bool hole = p.x > -0.5f && p.x < 0 && p.y > -0.5f && p.y < 0;

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "render_fixture.hpp"
+#include "support/test_lights.hpp"
 
 namespace polylume {
 namespace {
@@ -104,14 +105,7 @@ TEST_P(EmitterImageTest, farAwayPixelsShowTheMeanOfTheTexelsBehindThem) {
 }
 
 TEST_P(EmitterImageTest, aPolygonWithAHoleShowsItsImageAtAnyAngle) {
-    PolygonLight light;
-    light.contours = {{{-0.75f, -0.75f, 0},
-                       {0.75f, -0.75f, 0},
-                       {0.75f, 0.25f, 0},
-                       {0.25f, 0.25f, 0},
-                       {0.25f, 0.75f, 0},
-                       {-0.75f, 0.75f, 0}},
-                      {{-0.5f, -0.5f, 0}, {-0.5f, 0, 0}, {0, 0, 0}, {0, -0.5f, 0}}};
+    PolygonLight light = test::makeUprightHoledLight();
     light.radiance = kNits;
     const auto wave = [](double u, double v) {
         constexpr double kTurn = 2.0 * std::numbers::pi;

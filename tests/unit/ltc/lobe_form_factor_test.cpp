@@ -11,19 +11,13 @@
 
 #include "ltc/builtin_table.hpp"
 #include "ltc/polygon_integral.hpp"
+#include "unit/ltc/lobes.hpp"
 #include "unit/ltc/polygons.hpp"
 
 namespace polylume::ltc::testing {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-const Lobe kCosine{};                          // The identity.
-const Lobe kTilted{0.4, 0.5, -0.12, 0.2};      // A lobe that leans towards -x.
-const Lobe kGrazing{0.07, 0.26, -0.03, 0.09};  // Partly below the surface.
-
-const Table& ggx() {
-    return builtinTable(BuiltinTable::ggx);
-}
 
 /// Integral of the density over the sphere above `minZ`, by a product rule.
 double densityIntegral(const Lobe& lobe, double minZ) {

@@ -10,19 +10,13 @@
 #include "ltc/builtin_table.hpp"
 #include "ltc/round_integral.hpp"
 #include "ltc/round_outline.hpp"
+#include "unit/ltc/lobes.hpp"
 #include "unit/ltc/round_outlines.hpp"
 
 namespace polylume::ltc::testing {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-const Lobe kCosine{};                          // The identity.
-const Lobe kTilted{0.4, 0.5, -0.12, 0.2};      // A lobe that leans towards -x.
-const Lobe kGrazing{0.07, 0.26, -0.03, 0.09};  // Partly below the surface.
-
-const Table& ggx() {
-    return builtinTable(BuiltinTable::ggx);
-}
 
 /// Rough to smooth lobes at normal to grazing views.
 std::vector<Lobe> tableLobes() {
