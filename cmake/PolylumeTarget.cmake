@@ -21,13 +21,13 @@ function(polylume_configure_target target)
     endif()
 endfunction()
 
-# polylume_add_module(NAME SOURCES ... HEADERS ...): the static library polylume_NAME, alias polylume::NAME,
+# polylume_add_module(NAME SOURCES ... HEADERS ...): the static library polylume_NAME, alias polylume_engine::NAME,
 # of one folder of engine/. Headers are named from engine/ ("ltc/table.hpp").
 function(polylume_add_module name)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;HEADERS")
     set(target polylume_${name})
     add_library(${target} STATIC ${arg_SOURCES})
-    add_library(polylume::${name} ALIAS ${target})
+    add_library(polylume_engine::${name} ALIAS ${target})
     target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/engine FILES ${arg_HEADERS})
     set_target_properties(${target} PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON)
     polylume_configure_target(${target})

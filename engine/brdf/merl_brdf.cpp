@@ -10,8 +10,8 @@
 
 #include "brdf/hemisphere.hpp"
 #include "brdf/reflection_domain.hpp"
-#include "core/error.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::brdf {
 namespace {

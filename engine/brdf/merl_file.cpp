@@ -9,9 +9,9 @@
 #include <fstream>
 
 #include "brdf/merl_brdf.hpp"
-#include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::brdf {
 namespace {

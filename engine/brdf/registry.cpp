@@ -13,8 +13,8 @@
 #include "brdf/merl_brdf.hpp"
 #include "brdf/modified_phong.hpp"
 #include "brdf/oren_nayar.hpp"
-#include "core/error.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::brdf {
 namespace {

@@ -11,9 +11,9 @@
 
 #include "cli/compare_report.hpp"
 #include "cli/terminal.hpp"
-#include "core/error.hpp"
 #include "core/file.hpp"
 #include "image/image_io.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::cli {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "core/error.hpp"
 #include "image/image_io.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::cli {
 namespace {

@@ -11,8 +11,9 @@
 
 #include "cli/terminal.hpp"
 #include "cli/version.hpp"
-#include "core/error.hpp"
 #include "image/image_io.hpp"
+#include "lights/lighting_model_names.hpp"
+#include "polylume/error.hpp"
 #include "scene/default_lighting.hpp"
 #include "scene/emissive_lights.hpp"
 #include "scene/framing.hpp"

@@ -11,8 +11,9 @@
 #include "cli/phase_log.hpp"
 #include "cli/stop_signal.hpp"
 #include "cli/terminal.hpp"
-#include "core/error.hpp"
 #include "core/file.hpp"
+#include "lights/lighting_model_names.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::cli {
 namespace {

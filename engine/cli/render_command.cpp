@@ -10,6 +10,7 @@
 #include "cli/phase_log.hpp"
 #include "cli/terminal.hpp"
 #include "core/file.hpp"
+#include "lights/lighting_model_names.hpp"
 #include "tables/table_file.hpp"
 
 namespace polylume::cli {

@@ -7,7 +7,8 @@
 
 #include <string_view>
 
-#include "lights/light.hpp"
+#include "lights/light_outline.hpp"
+#include "polylume/light.hpp"
 
 namespace polylume::cli {
 namespace {

@@ -10,7 +10,7 @@
 #include "brdf/registry.hpp"
 #include "cli/flags.hpp"
 #include "cli/table_command.hpp"
-#include "core/error.hpp"
+#include "polylume/error.hpp"
 #include "tables/table_text.hpp"
 
 namespace polylume::cli {

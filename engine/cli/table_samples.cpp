@@ -8,7 +8,7 @@
 #include <iterator>
 
 #include "cli/flags.hpp"
-#include "core/error.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/error.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::compare {
 namespace {

@@ -8,9 +8,9 @@
 #include <map>
 #include <string_view>
 
-#include "core/error.hpp"
 #include "core/text.hpp"
 #include "image/srgb.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::compare {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "context/context_way.hpp"
 #include "context/thread_context.hpp"
-#include "core/error.hpp"
 #include "core/log.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume {
 

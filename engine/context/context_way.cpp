@@ -6,7 +6,7 @@
 #include "context/egl_context.hpp"
 #include "context/egl_library.hpp"
 #include "context/osmesa_context.hpp"
-#include "core/error.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::context {
 namespace {

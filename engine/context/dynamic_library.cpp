@@ -5,8 +5,8 @@
 
 #include <dlfcn.h>
 
-#include "core/error.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::context {
 

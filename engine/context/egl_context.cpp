@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-#include "core/error.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::context {
 

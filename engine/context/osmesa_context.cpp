@@ -4,7 +4,7 @@
 #include "context/osmesa_context.hpp"
 
 #include "context/dynamic_library.hpp"
-#include "core/error.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::context {
 

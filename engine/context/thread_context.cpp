@@ -7,9 +7,9 @@
 #include <exception>
 #include <string_view>
 
-#include "core/error.hpp"
 #include "core/log.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::context {
 namespace {

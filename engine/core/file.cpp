@@ -11,8 +11,8 @@
 #include <fstream>
 #include <system_error>
 
-#include "core/error.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume {
 namespace {

@@ -8,8 +8,8 @@
 #include <system_error>
 #include <utility>
 
-#include "core/error.hpp"
 #include "image/image_io.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::figures {
 

@@ -12,7 +12,6 @@
 #include <optional>
 #include <span>
 
-#include "core/error.hpp"
 #include "core/file.hpp"
 #include "figures/comparison_figures.hpp"
 #include "figures/comparison_panel.hpp"
@@ -22,6 +21,7 @@
 #include "figures/jacobian_figure.hpp"
 #include "figures/partial_progress.hpp"
 #include "figures/picture_maker.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::figures {
 namespace {

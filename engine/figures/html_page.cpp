@@ -9,8 +9,8 @@
 #include <span>
 
 #include "core/embedded_file.hpp"
-#include "core/error.hpp"
 #include "core/file.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume {
 /// The files of page/ (cmake/EmbedFiles.cmake).

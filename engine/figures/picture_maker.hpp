@@ -12,7 +12,7 @@
 #include "figures/error_measures.hpp"
 #include "gl/shader_library.hpp"
 #include "image/image.hpp"
-#include "lights/lighting_model.hpp"
+#include "polylume/lighting_model.hpp"
 #include "scene/scene.hpp"
 
 namespace polylume::figures {

@@ -12,11 +12,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/error.hpp"
 #include "core/text.hpp"
 #include "fit/grid_fit.hpp"
 #include "fit/score_table.hpp"
 #include "parallel/threads.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::fit {
 namespace {

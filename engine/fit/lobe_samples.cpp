@@ -3,8 +3,8 @@
 
 #include "fit/lobe_samples.hpp"
 
-#include "core/error.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::fit {
 

@@ -3,9 +3,9 @@
 
 #include "gl/debug_log.hpp"
 
-#include "core/error.hpp"
 #include "core/log.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::gl {
 

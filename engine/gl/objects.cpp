@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/error.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::gl {
 namespace {

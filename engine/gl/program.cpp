@@ -3,8 +3,8 @@
 
 #include "gl/program.hpp"
 
-#include "core/error.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::gl {
 namespace {

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "core/embedded_file.hpp"
-#include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume {
 

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/text.hpp"
 #include "image/image_library.hpp"
 #include "image/library_loader.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume {
 namespace {

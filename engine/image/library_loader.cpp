@@ -8,8 +8,8 @@
 #include <string>
 #include <system_error>
 
-#include "core/error.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume {
 namespace {

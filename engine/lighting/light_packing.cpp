@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "lighting/light_packing.hpp"
+#include "lights/light_outline.hpp"
 
 #include <algorithm>
 #include <bit>

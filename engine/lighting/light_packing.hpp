@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lighting/light_texture_array.hpp"
-#include "lights/light.hpp"
+#include "polylume/light.hpp"
 #include "shared/light_data.h"
 #include "shared/light_texture_data.h"
 

@@ -7,8 +7,8 @@
 #include <array>
 #include <bit>
 
-#include "core/error.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 #include "shared/light_texture_data.h"
 
 namespace polylume {

@@ -11,7 +11,7 @@
 #include "gl/program.hpp"
 #include "gl/shader_library.hpp"
 #include "lighting/light_texture_frame.hpp"
-#include "lights/light_image.hpp"
+#include "polylume/light_image.hpp"
 
 namespace polylume {
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "lighting/light_texture_frame.hpp"
+#include "lights/light_image_sampling.hpp"
 
 #include <algorithm>
 #include <bit>

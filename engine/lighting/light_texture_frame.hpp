@@ -7,7 +7,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "lights/light.hpp"
+#include "polylume/light.hpp"
 
 namespace polylume {
 

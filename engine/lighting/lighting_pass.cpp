@@ -6,10 +6,10 @@
 #include <array>
 #include <utility>
 
-#include "core/error.hpp"
 #include "core/text.hpp"
 #include "lights/texture_check.hpp"
 #include "ltc/builtin_table.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume {
 namespace {

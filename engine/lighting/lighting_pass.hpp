@@ -14,9 +14,9 @@
 #include "lighting/light_packing.hpp"
 #include "lighting/light_texture_array.hpp"
 #include "lighting/table_texture.hpp"
-#include "lights/light.hpp"
-#include "lights/lighting_model.hpp"
 #include "ltc/table.hpp"
+#include "polylume/light.hpp"
+#include "polylume/lighting_model.hpp"
 
 namespace polylume {
 

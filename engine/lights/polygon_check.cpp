@@ -7,9 +7,10 @@
 #include <limits>
 #include <string>
 
-#include "core/error.hpp"
 #include "core/text.hpp"
+#include "lights/light_outline.hpp"
 #include "lights/plane_axes.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume {
 namespace {

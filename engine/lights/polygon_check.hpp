@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-#include "lights/light.hpp"
+#include "polylume/light.hpp"
 
 namespace polylume {
 

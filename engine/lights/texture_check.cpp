@@ -6,8 +6,9 @@
 #include <cmath>
 #include <string>
 
-#include "core/error.hpp"
 #include "core/text.hpp"
+#include "lights/light_outline.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume {
 namespace {

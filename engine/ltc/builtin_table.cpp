@@ -10,8 +10,8 @@
 #include <string_view>
 
 #include "core/embedded_file.hpp"
-#include "core/error.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume {
 

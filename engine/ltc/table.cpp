@@ -9,8 +9,8 @@
 #include <string>
 #include <utility>
 
-#include "core/error.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::ltc {
 namespace {

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "lights/light.hpp"
+#include "polylume/light.hpp"
 #include "reference/camera_rays.hpp"
 #include "reference/flat_emitter.hpp"
 #include "reference/solid_emitter.hpp"

@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "lights/light.hpp"
+#include "polylume/light.hpp"
 #include "reference/area_emitter.hpp"
 #include "reference/ray_scene.hpp"
 #include "reference/shaded_point.hpp"

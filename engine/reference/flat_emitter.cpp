@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "lights/light_image_sampling.hpp"
+#include "lights/light_outline.hpp"
 #include "lights/plane_axes.hpp"
 
 namespace polylume::reference {

@@ -7,7 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "lights/light.hpp"
+#include "lights/light_image_sampling.hpp"
+#include "polylume/light.hpp"
 #include "reference/planar_outline.hpp"
 
 namespace polylume::reference {

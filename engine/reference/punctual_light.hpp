@@ -5,7 +5,7 @@
 
 #include <glm/glm.hpp>
 
-#include "lights/light.hpp"
+#include "polylume/light.hpp"
 
 namespace polylume::reference {
 

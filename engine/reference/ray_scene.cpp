@@ -9,8 +9,8 @@
 #include <limits>
 #include <tuple>
 
-#include "core/error.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::reference {
 namespace {

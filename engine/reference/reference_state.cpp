@@ -6,8 +6,9 @@
 #include <cstring>
 #include <span>
 
-#include "core/error.hpp"
 #include "core/text.hpp"
+#include "lights/lighting_model_names.hpp"
+#include "polylume/error.hpp"
 #include "reference/scrambled_points.hpp"
 #include "view/scene_lights.hpp"
 

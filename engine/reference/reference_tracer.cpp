@@ -10,10 +10,10 @@
 #include <cmath>
 #include <mutex>
 
-#include "core/error.hpp"
 #include "core/text.hpp"
 #include "image/display_transform.hpp"
 #include "parallel/threads.hpp"
+#include "polylume/error.hpp"
 #include "reference/camera_rays.hpp"
 #include "reference/path_estimator.hpp"
 #include "reference/path_schedule.hpp"

@@ -9,8 +9,8 @@
 #include <span>
 
 #include "brdf/brdf.hpp"
-#include "lights/lighting_model.hpp"
 #include "ltc/table.hpp"
+#include "polylume/lighting_model.hpp"
 #include "reference/light_view.hpp"
 #include "reference/surface_reader.hpp"
 

@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 #include <optional>
 
-#include "lights/light.hpp"
+#include "polylume/light.hpp"
 
 namespace polylume::reference {
 

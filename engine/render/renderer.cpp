@@ -3,8 +3,8 @@
 
 #include "render/renderer.hpp"
 
-#include "core/error.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 #include "render/frame_renderer.hpp"
 #include "render/gbuffer_readback.hpp"
 #include "view/pixel_samples.hpp"

@@ -8,8 +8,8 @@
 #include <limits>
 #include <type_traits>
 
-#include "core/error.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::scene {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "core/error.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::scene {
 namespace {

@@ -10,9 +10,9 @@
 #include <string>
 #include <utility>
 
-#include "core/error.hpp"
 #include "core/log.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 #include "scene/emissive_texture.hpp"
 #include "scene/planar_patches.hpp"
 #include "scene/texture_plane.hpp"

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "image/srgb.hpp"
+#include "lights/light_image_sampling.hpp"
 #include "scene/light_texture_reader.hpp"
 #include "scene/texture_plane.hpp"
 

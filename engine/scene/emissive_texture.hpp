@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "image/image.hpp"
-#include "lights/light.hpp"
+#include "polylume/light.hpp"
 #include "scene/material.hpp"
 #include "scene/planar_patches.hpp"
 #include "scene/welded_triangles.hpp"

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cfloat>
 
-#include "core/error.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 #include "scene/gltf_value.hpp"
 #include "scene/light_value.hpp"
 

@@ -7,10 +7,10 @@
 #include <array>
 #include <cstring>
 
-#include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/log.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 #include "scene/glb_container.hpp"
 #include "scene/gltf_schema.hpp"
 #include "scene/uri.hpp"

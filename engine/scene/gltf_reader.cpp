@@ -7,9 +7,9 @@
 #include <cmath>
 #include <new>
 
-#include "core/error.hpp"
 #include "core/limits.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 #include "scene/camera_reader.hpp"
 #include "scene/gltf_document.hpp"
 #include "scene/light_reader.hpp"

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/error.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::scene {
 namespace {

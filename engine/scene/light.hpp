@@ -8,7 +8,7 @@
 #include <string>
 #include <variant>
 
-#include "lights/light.hpp"
+#include "polylume/light.hpp"
 
 namespace polylume::scene {
 

@@ -9,10 +9,10 @@
 #include <cstring>
 #include <utility>
 
-#include "core/error.hpp"
 #include "core/text.hpp"
 #include "image/image_io.hpp"
 #include "image/srgb.hpp"
+#include "polylume/error.hpp"
 #include "scene/gltf_value.hpp"
 #include "scene/sampler_reader.hpp"
 #include "scene/uri.hpp"

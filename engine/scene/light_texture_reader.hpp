@@ -8,7 +8,7 @@
 #include <string>
 
 #include "image/image.hpp"
-#include "lights/light_image.hpp"
+#include "polylume/light_image.hpp"
 #include "scene/gltf_document.hpp"
 #include "scene/material.hpp"
 

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "core/error.hpp"
 #include "core/limits.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 #include "scene/gltf_value.hpp"
 
 namespace polylume::scene {

@@ -11,10 +11,10 @@
 #include <mutex>
 #include <thread>
 
-#include "core/error.hpp"
 #include "core/limits.hpp"
 #include "core/text.hpp"
 #include "image/image_io.hpp"
+#include "polylume/error.hpp"
 #include "scene/gltf_value.hpp"
 #include "scene/sampler_reader.hpp"
 

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
 #include "core/limits.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 #include "scene/accessor_reader.hpp"
 #include "scene/deformation.hpp"
 #include "scene/primitive_reader.hpp"

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <optional>
 
-#include "core/error.hpp"
 #include "core/limits.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::scene {
 namespace {

@@ -9,9 +9,10 @@
 #include <string_view>
 #include <utility>
 
-#include "core/error.hpp"
 #include "core/limits.hpp"
 #include "core/text.hpp"
+#include "lights/light_outline.hpp"
+#include "polylume/error.hpp"
 #include "scene/gltf_value.hpp"
 #include "scene/light_value.hpp"
 #include "scene/texture_plane.hpp"

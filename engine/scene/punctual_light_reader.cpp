@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/error.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 #include "scene/gltf_value.hpp"
 #include "scene/light_value.hpp"
 

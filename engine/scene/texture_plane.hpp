@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 #include <span>
 
-#include "lights/light_image.hpp"
+#include "polylume/light_image.hpp"
 
 namespace polylume::scene {
 

@@ -6,9 +6,9 @@
 #include <cctype>
 #include <cstdint>
 
-#include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::scene {
 namespace {

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 #include "tables/sphere_form_factor.hpp"
 
 namespace polylume::tables {

@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <string>
 
-#include "core/error.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 #include "tables/half_float.hpp"
 
 // All little-endian: "DDS ", DDS_HEADER of 124 bytes, with the code "DX10" also DDS_HEADER_DXT10 of

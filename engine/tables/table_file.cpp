@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/text.hpp"
 #include "image/image_io.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::tables {
 namespace {

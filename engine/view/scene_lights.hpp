@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "lights/light.hpp"
+#include "polylume/light.hpp"
 #include "scene/scene.hpp"
 #include "view/view_options.hpp"
 

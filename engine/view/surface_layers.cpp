@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <array>
 
-#include "core/error.hpp"
 #include "core/text.hpp"
 #include "image/display_transform.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume {
 namespace {

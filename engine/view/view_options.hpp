@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "image/image.hpp"
-#include "lights/light.hpp"
-#include "lights/lighting_model.hpp"
+#include "polylume/light.hpp"
+#include "polylume/lighting_model.hpp"
 
 namespace polylume {
 

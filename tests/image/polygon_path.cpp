@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "lights/light_outline.hpp"
 #include "lights/plane_axes.hpp"
 #include "reference/planar_outline.hpp"
 

@@ -6,9 +6,9 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "lights/light.hpp"
 #include "ltc/polygon_integral.hpp"
 #include "ltc/table.hpp"
+#include "polylume/light.hpp"
 
 // What the polygon integral in double makes of every shape, once its outline is given as the shaded
 // point sees it: the yardstick for the shapes' own methods.

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "lights/light.hpp"
+#include "polylume/light.hpp"
 #include "scene/scene.hpp"
 
 // Every shape of light over a floor, at every roughness and in every kind of place: what the errors

@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-#include "core/error.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::test {
 

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "lights/light.hpp"
+#include "polylume/light.hpp"
 
 // Lights that tests share.
 namespace polylume::test {

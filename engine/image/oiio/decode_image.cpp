@@ -10,9 +10,9 @@
 #include <sstream>
 
 #include "complete_file.hpp"
-#include "core/error.hpp"
 #include "core/text.hpp"
 #include "oiio_calls.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::oiio {
 namespace {

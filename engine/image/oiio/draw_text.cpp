@@ -7,8 +7,8 @@
 #include <array>
 #include <filesystem>
 
-#include "core/error.hpp"
 #include "oiio_calls.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::oiio {
 namespace {

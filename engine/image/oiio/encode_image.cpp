@@ -7,9 +7,9 @@
 #include <cstring>
 #include <memory>
 
-#include "core/error.hpp"
 #include "oiio_calls.hpp"
 #include "png_text.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::oiio {
 namespace {

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <string_view>
 
-#include "core/error.hpp"
 #include "core/text.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::oiio {
 namespace {

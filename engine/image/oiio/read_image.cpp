@@ -4,9 +4,9 @@
 #include <memory>
 #include <string_view>
 
-#include "core/error.hpp"
 #include "core/text.hpp"
 #include "oiio_calls.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::oiio {
 namespace {

@@ -8,7 +8,7 @@
 #include <cstdlib>
 
 #include "context/context.hpp"
-#include "core/error.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume {
 namespace {

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "context/thread_context.hpp"
-#include "core/error.hpp"
 #include "gl/support/gl_test.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume {
 namespace {

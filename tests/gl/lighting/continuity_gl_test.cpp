@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "gl/support/gl_test.hpp"
+#include "lights/lighting_model_names.hpp"
 #include "ltc/builtin_table.hpp"
 #include "shading_harness.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Polylume authors
 // SPDX-License-Identifier: MIT
 
-#include "lights/lighting_model.hpp"
+#include "polylume/lighting_model.hpp"
 
 #include <gmock/gmock.h>
 

@@ -10,6 +10,7 @@
 
 #include "gl/support/gl_test.hpp"
 #include "lighting/lighting_pass.hpp"
+#include "lights/lighting_model_names.hpp"
 #include "ltc/builtin_table.hpp"
 #include "shading_harness.hpp"
 #include "trap_random.hpp"

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "gl/lighting/shading_harness.hpp"
+#include "lights/light_outline.hpp"
 #include "render_fixture.hpp"
 #include "support/test_lights.hpp"
 #include "view/scene_lights.hpp"

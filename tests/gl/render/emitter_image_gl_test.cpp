@@ -5,6 +5,7 @@
 #include <numbers>
 #include <random>
 
+#include "lights/light_image_sampling.hpp"
 #include "render_fixture.hpp"
 #include "support/test_lights.hpp"
 

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "context/context.hpp"
-#include "core/error.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::test {
 

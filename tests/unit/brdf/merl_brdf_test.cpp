@@ -16,7 +16,7 @@
 #include "brdf/ggx.hpp"
 #include "brdf/hemisphere.hpp"
 #include "brdf/registry.hpp"
-#include "core/error.hpp"
+#include "polylume/error.hpp"
 #include "unit/brdf/merl_samples.hpp"
 
 namespace polylume::brdf {

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/error.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::brdf {
 namespace {

@@ -7,8 +7,8 @@
 
 #include <cmath>
 
-#include "core/error.hpp"
 #include "pictures.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::compare {
 namespace {

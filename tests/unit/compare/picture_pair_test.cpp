@@ -9,8 +9,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/error.hpp"
 #include "pictures.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::compare {
 namespace {

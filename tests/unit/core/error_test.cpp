@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Polylume authors
 // SPDX-License-Identifier: MIT
 
-#include "core/error.hpp"
+#include "polylume/error.hpp"
 
 #include <gtest/gtest.h>
 

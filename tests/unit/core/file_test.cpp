@@ -11,7 +11,7 @@
 #include <string>
 #include <thread>
 
-#include "core/error.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume {
 namespace {

@@ -10,7 +10,9 @@
 #include "figures/diverging_color.hpp"
 #include "figures/error_measures.hpp"
 #include "figures/shape_scenes.hpp"
-#include "lights/light.hpp"
+#include "lights/light_image_sampling.hpp"
+#include "lights/light_outline.hpp"
+#include "polylume/light.hpp"
 
 namespace polylume::figures {
 namespace {

@@ -7,9 +7,9 @@
 
 #include <filesystem>
 
-#include "core/error.hpp"
 #include "figures/figure_folder.hpp"
 #include "image/image_io.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::figures {
 namespace {

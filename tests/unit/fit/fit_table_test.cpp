@@ -14,10 +14,10 @@
 #include <vector>
 
 #include "brdf/registry.hpp"
-#include "core/error.hpp"
 #include "fit/grid_fit.hpp"
 #include "fit/lobe_model.hpp"
 #include "ltc/builtin_table.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::fit {
 namespace {

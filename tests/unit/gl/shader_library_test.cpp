@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "core/error.hpp"
+#include "polylume/error.hpp"
 #include "render/material_variant.hpp"
 
 namespace polylume::gl {

@@ -9,9 +9,9 @@
 #include <string>
 #include <thread>
 
-#include "core/error.hpp"
 #include "encoded_samples.hpp"
 #include "image/image_io.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "core/error.hpp"
 #include "image/image_io.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume {
 namespace {

@@ -12,9 +12,9 @@
 #include <string>
 #include <thread>
 
-#include "core/error.hpp"
 #include "core/file.hpp"
 #include "image/image_io.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume {
 namespace {

@@ -12,8 +12,8 @@
 #include <iterator>
 #include <string>
 
-#include "core/error.hpp"
 #include "image/image_io.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume {
 namespace {

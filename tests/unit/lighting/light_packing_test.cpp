@@ -7,7 +7,7 @@
 
 #include <bit>
 
-#include "core/error.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume {
 namespace {

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Polylume authors
 // SPDX-License-Identifier: MIT
 
-#include "lights/light_image.hpp"
+#include "polylume/light_image.hpp"
+#include "lights/light_image_sampling.hpp"
 
 #include <gtest/gtest.h>
 

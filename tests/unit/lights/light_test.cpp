@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Polylume authors
 // SPDX-License-Identifier: MIT
 
-#include "lights/light.hpp"
+#include "polylume/light.hpp"
 
 #include <gmock/gmock.h>
 
 #include <limits>
 #include <numbers>
 
+#include "lights/light_outline.hpp"
 #include "support/error_of.hpp"
 
 namespace polylume {

@@ -11,6 +11,7 @@
 #include <random>
 
 #include "light_samples.hpp"
+#include "lights/light_outline.hpp"
 #include "ltc/polygon_integral.hpp"
 #include "reference_scenes.hpp"
 

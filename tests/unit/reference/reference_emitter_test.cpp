@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "lights/light_image_sampling.hpp"
 #include "reference_scenes.hpp"
 #include "support/test_scenes.hpp"
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "lights/light_outline.hpp"
 #include "reference_scenes.hpp"
 #include "support/test_lights.hpp"
 #include "support/test_scenes.hpp"

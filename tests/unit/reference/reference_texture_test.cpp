@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "lights/light_image_sampling.hpp"
+#include "lights/light_outline.hpp"
 #include "reference_scenes.hpp"
 #include "support/test_lights.hpp"
 #include "support/test_scenes.hpp"

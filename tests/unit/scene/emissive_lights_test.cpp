@@ -13,7 +13,9 @@
 #include <numbers>
 
 #include "core/log.hpp"
-#include "lights/light.hpp"
+#include "lights/light_image_sampling.hpp"
+#include "lights/light_outline.hpp"
+#include "polylume/light.hpp"
 #include "unit/scene/gltf_builder.hpp"
 
 namespace polylume::scene {

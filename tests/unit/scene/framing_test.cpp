@@ -9,6 +9,7 @@
 
 #include <cmath>
 
+#include "lights/light_outline.hpp"
 #include "scene/default_lighting.hpp"
 
 namespace polylume::scene {

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/log.hpp"
+#include "polylume/error.hpp"
 #include "scene/gltf_reader.hpp"
 #include "scene/uri.hpp"
 

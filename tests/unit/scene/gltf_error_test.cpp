@@ -8,7 +8,7 @@
 
 #include <functional>
 
-#include "core/error.hpp"
+#include "polylume/error.hpp"
 #include "scene/gltf_reader.hpp"
 #include "unit/scene/gltf_builder.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "core/error.hpp"
+#include "polylume/error.hpp"
 #include "unit/scene/gltf_builder.hpp"
 
 namespace polylume::scene::test {

@@ -8,8 +8,8 @@
 
 #include <random>
 
-#include "core/error.hpp"
-#include "lights/light.hpp"
+#include "polylume/error.hpp"
+#include "polylume/light.hpp"
 #include "scene/default_lighting.hpp"
 #include "scene/emissive_lights.hpp"
 #include "scene/framing.hpp"

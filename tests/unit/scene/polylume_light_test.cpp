@@ -10,7 +10,9 @@
 
 #include "image/image_io.hpp"
 #include "image/srgb.hpp"
-#include "lights/light.hpp"
+#include "lights/light_image_sampling.hpp"
+#include "lights/light_outline.hpp"
+#include "polylume/light.hpp"
 #include "scene/gltf_reader.hpp"
 #include "unit/scene/polylume_light_files.hpp"
 

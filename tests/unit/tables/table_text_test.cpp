@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "core/error.hpp"
 #include "ltc/builtin_table.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume::tables {
 namespace {

@@ -30,10 +30,4 @@ struct LightTexture {
     TextureWrap wrapV = TextureWrap::clampToEdge;
 };
 
-/// The texture coordinates of a point of the light's plane.
-glm::dvec2 textureCoordinates(const LightTexture& texture, const glm::dvec3& point);
-
-/// The image there, linear between the centres of its texels; for any coordinates a mean of texels.
-glm::dvec3 sampleImage(const LightTexture& texture, const glm::dvec2& coordinates);
-
 }  // namespace polylume

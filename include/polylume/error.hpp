@@ -5,23 +5,25 @@
 
 #include <stdexcept>
 
+#include "polylume/api.h"
+
 namespace polylume {
 
 /// What Polylume throws for bad input, a missing file or a failing driver. The message says what
 /// was expected, what was found, where, and what to do next.
-class Error : public std::runtime_error {
+class POLYLUME_API Error : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
 /// No OpenGL context could be created.
-class ContextError : public Error {
+class POLYLUME_API ContextError : public Error {
   public:
     using Error::Error;
 };
 
 /// A shader could not be assembled, compiled or linked.
-class ShaderError : public Error {
+class POLYLUME_API ShaderError : public Error {
   public:
     using Error::Error;
 };

@@ -8,7 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "lights/light_image.hpp"
+#include "polylume/api.h"
+#include "polylume/light_image.hpp"
 
 namespace polylume {
 
@@ -88,13 +89,6 @@ struct LightSet {
 /// intensity is negative or over kLargestEmission, or where the contours of a polygon light have
 /// fewer than three or too many vertices, are not planar (kPlanarTolerance), cross, or where holes
 /// turn as the outline does or lie outside it, or where its texture is not as LightTexture says.
-void checkLights(const LightSet& lights);
-
-/// Twice the area of a contour, along the normal of the side from which it turns counter-clockwise.
-glm::dvec3 areaVector(const std::vector<glm::vec3>& contour);
-
-/// A regular polygon of `sides` sides stretched to the ellipse, of the ellipse's area; it turns
-/// counter-clockwise seen from the emitting side.
-std::vector<glm::vec3> outline(const EllipseLight& light, int sides = 64);
+POLYLUME_API void checkLights(const LightSet& lights);
 
 }  // namespace polylume

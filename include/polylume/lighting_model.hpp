@@ -29,9 +29,4 @@ struct LightingModel {
     bool operator==(const LightingModel&) const = default;
 };
 
-/// What the command's flags and files' metadata call them.
-const char* nameOf(Specular specular);
-const char* nameOf(Diffuse diffuse);
-const char* nameOf(Lobes lobes);
-
 }  // namespace polylume
