@@ -6,9 +6,8 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "configuration_pictures.hpp"
 #include "figures/error_measures.hpp"
-#include "reference/reference_tracer.hpp"
-#include "render/renderer.hpp"
 #include "shape_configurations.hpp"
 
 // Rectangles that show a film, against ray tracing: how well a few reads of a prefiltered image
@@ -18,39 +17,6 @@ namespace polylume {
 namespace {
 
 using test::Configuration;
-
-void setView(const Configuration& configuration, Lobes lobes, ViewOptions& options) {
-    options.size = {40, 24};
-    options.sampleCount = 1;
-    options.lobes = lobes;
-    options.extraLights = configuration.lights();
-    options.hideLights = true;
-    options.background.reset();
-}
-
-FloatImage draw(const Configuration& configuration, const scene::Scene& scene, Lobes lobes,
-                Quality quality) {
-    static const std::unique_ptr<Context> context = Context::create(Backend::automatic);
-    static const gl::ShaderLibrary library;
-    RenderOptions options;
-    setView(configuration, lobes, options);
-    options.model.quality = quality;
-    Progress progress;
-    return renderScene(*context, library, scene, configuration.camera(), options, progress).image;
-}
-
-FloatImage trace(const Configuration& configuration, const scene::Scene& scene, Lobes lobes) {
-    reference::ReferenceOptions options;
-    setView(configuration, lobes, options);
-    options.shadows = false;
-    options.pathCount = 1 << 16;
-    options.targetError = 0.01;
-    const scene::Camera camera = configuration.camera();
-    reference::ReferenceTracer tracer(scene, camera, options);
-    Progress progress;
-    tracer.run(progress);
-    return tracer.picture().image;
-}
 
 struct Case {
     const char* name;
@@ -69,9 +35,9 @@ class FilmErrorTest : public ::testing::TestWithParam<Case> {
             scene.materials.front().metallicFactor = 0.0f;
             scene.materials.front().baseColorFactor = {0.5f, 0.5f, 0.5f, 1.0f};
         }
-        const FloatImage truth = trace(configuration, scene, lobes);
-        return figures::measureErrors(draw(configuration, scene, lobes, quality), truth)
-            .relativeRmse;
+        const test::ConfigurationView view{configuration, std::move(scene), lobes, {40, 24}};
+        const FloatImage truth = test::traceConfiguration(view, 0.01, 1 << 16);
+        return figures::measureErrors(test::drawConfiguration(view, quality), truth).relativeRmse;
     }
 };
 

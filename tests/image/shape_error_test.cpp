@@ -7,11 +7,10 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "configuration_pictures.hpp"
 #include "figures/error_measures.hpp"
 #include "ltc/builtin_table.hpp"
 #include "polygon_path.hpp"
-#include "reference/reference_tracer.hpp"
-#include "render/renderer.hpp"
 #include "shape_configurations.hpp"
 
 // Every shape of light against ray tracing. The polygon integral in double, given the outline as
@@ -33,15 +32,6 @@ bool printsErrors() {
     return std::getenv("POLYLUME_PRINT_ERRORS") != nullptr;
 }
 
-void setView(const Configuration& configuration, Lobes lobes, ViewOptions& options) {
-    options.size = lobes == Lobes::diffuse ? kDiffuseSize : kSize;
-    options.sampleCount = 1;
-    options.lobes = lobes;
-    options.extraLights = configuration.lights();
-    options.hideLights = true;
-    options.background.reset();
-}
-
 /// The floor of configuration, which diffuse light needs as no metal.
 scene::Scene sceneOf(const Configuration& configuration, Lobes lobes) {
     scene::Scene scene = configuration.scene();
@@ -54,31 +44,18 @@ scene::Scene sceneOf(const Configuration& configuration, Lobes lobes) {
 
 class ShapeErrorTest : public ::testing::TestWithParam<Configuration> {
   protected:
-    FloatImage draw(Lobes lobes) const {
-        static const std::unique_ptr<Context> context = Context::create(Backend::automatic);
-        static const gl::ShaderLibrary library;
-        RenderOptions options;
-        setView(GetParam(), lobes, options);
-        options.aovs = {"position", "normal", "roughness"};
-        Progress progress;
-        return renderScene(*context, library, sceneOf(GetParam(), lobes), GetParam().camera(),
-                           options, progress)
-            .image;
+    static test::ConfigurationView viewOf(Lobes lobes) {
+        return {GetParam(), sceneOf(GetParam(), lobes), lobes,
+                lobes == Lobes::diffuse ? kDiffuseSize : kSize};
     }
 
-    /// Traced until the picture's standard error over its mean is at most `error`.
-    FloatImage trace(Lobes lobes, double error) const {
-        reference::ReferenceOptions options;
-        setView(GetParam(), lobes, options);
-        options.shadows = false;
-        options.pathCount = 1 << 20;
-        options.targetError = error;
-        const scene::Scene scene = sceneOf(GetParam(), lobes);
-        const scene::Camera camera = GetParam().camera();
-        reference::ReferenceTracer tracer(scene, camera, options);
-        Progress progress;
-        tracer.run(progress);
-        return tracer.picture().image;
+    static FloatImage draw(Lobes lobes) {
+        return test::drawConfiguration(viewOf(lobes), Quality::standard,
+                                       {"position", "normal", "roughness"});
+    }
+
+    static FloatImage trace(Lobes lobes, double error) {
+        return test::traceConfiguration(viewOf(lobes), error, 1 << 20);
     }
 
     /// `drawn` with the colours that the polygon path gives its surfaces.
