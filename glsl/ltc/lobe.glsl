@@ -54,7 +54,7 @@ LtcPlace ltcPlace(ivec2 size, vec2 reference, float roughness, float viewParamet
 
 /// The values of `layer` there. The four texels are blended here, since filters of hardware weigh with 8 bits only,
 /// which shows as bands on smooth surfaces.
-vec4 ltcFetch(sampler2DArray table, LtcPlace place, int layer) {
+vec4 ltcFetch(highp sampler2DArray table, LtcPlace place, int layer) {
     vec4 lowLow = texelFetch(table, ivec3(place.low, layer), 0);
     vec4 highLow = texelFetch(table, ivec3(place.high.x, place.low.y, layer), 0);
     vec4 lowHigh = texelFetch(table, ivec3(place.low.x, place.high.y, layer), 0);

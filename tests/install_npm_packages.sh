@@ -2,20 +2,19 @@
 # SPDX-FileCopyrightText: 2026 The Polylume authors
 # SPDX-License-Identifier: MIT
 #
-# install_validator.sh FOLDER: puts the locked version of the Khronos glTF validator into
-# FOLDER/node_modules, from the npm registry. Does nothing where it is there already.
+# install_npm_packages.sh SOURCE TARGET: puts the packages that SOURCE/package-lock.json names into
+# TARGET/node_modules, from the npm registry. Does nothing where they are there already.
 set -euo pipefail
-source=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-target=$1
+source=$1
+target=$2
 
 if ! command -v npm >/dev/null; then
-    echo "install_validator: npm is missing; ci/setup installs it (Debian: npm)" >&2
+    echo "install_npm_packages: npm is missing; ci/setup installs it (Debian: npm)" >&2
     exit 1
 fi
 mkdir -p "$target"
-if cmp --silent "$source/package-lock.json" "$target/package-lock.json" &&
-    [[ -f $target/node_modules/gltf-validator/package.json ]]; then
-    echo "install_validator: it is there"
+if cmp --silent "$source/package-lock.json" "$target/package-lock.json" && [[ -d $target/node_modules ]]; then
+    echo "install_npm_packages: the packages are there"
     exit 0
 fi
 # The lock is copied last: what was broken off is begun anew.
