@@ -14,4 +14,7 @@ add_custom_command(
     VERBATIM)
 add_library(polylume_glad STATIC ${glad_dir}/src/gl.c ${glad_dir}/include/glad/gl.h)
 target_include_directories(polylume_glad SYSTEM PUBLIC ${glad_dir}/include)
+# A host program may link a glad of its own beside ours: its two functions are not to be taken for each other's.
+target_compile_definitions(polylume_glad PUBLIC gladLoadGLContext=polylume_gladLoadGLContext
+                                                gladLoadGLContextUserPtr=polylume_gladLoadGLContextUserPtr)
 set_target_properties(polylume_glad PROPERTIES POSITION_INDEPENDENT_CODE ON C_VISIBILITY_PRESET hidden)

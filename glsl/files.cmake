@@ -14,6 +14,7 @@ set(POLYLUME_GLSL_FILES
     lighting/light.glsl
     lighting/light_image.glsl
     lighting/lobes.glsl
+    lighting/picture.glsl
     lighting/punctual.glsl
     lighting/round.glsl
     lighting/shade.glsl
@@ -42,6 +43,7 @@ set(POLYLUME_GLSL_FILES
     ltc/tube_strip.glsl
     passes/accumulate.frag
     passes/blend.frag
+    passes/display.frag
     passes/emitter.frag
     passes/emitter.vert
     passes/emitter_solid.frag
@@ -51,9 +53,11 @@ set(POLYLUME_GLSL_FILES
     passes/light_image.frag
     passes/light_image_average.frag
     passes/light_image_fill.frag
+    passes/lighting.comp
     passes/lighting.frag
     passes/mesh.vert
     shared/camera_data.h
+    shared/display_data.h
     shared/emitter_data.h
     shared/instance_data.h
     shared/light_data.h
@@ -64,5 +68,7 @@ set(POLYLUME_GLSL_FILES
     surface/gbuffer_read.glsl
     surface/gbuffer_write.glsl
     surface/material.glsl
+    surface/metallic_roughness.glsl
     surface/octahedral.glsl
+    surface/read_surface.glsl
     surface/surface.glsl)

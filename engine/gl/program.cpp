@@ -3,16 +3,13 @@
 
 #include "gl/program.hpp"
 
+#include <array>
+
 #include "core/text.hpp"
 #include "polylume/error.hpp"
 
 namespace polylume::gl {
 namespace {
-
-void destroyShader(const Functions& gl, GLuint name) {
-    gl.DeleteShader(name);
-}
-using Shader = Handle<&destroyShader>;
 
 template <typename GetLog>
 std::string readLog(GLint length, GetLog getLog) {
@@ -49,26 +46,40 @@ Shader compile(const Functions& gl, const ShaderLibrary& library, GLenum stage,
 Program::Program(const Functions& gl, const ShaderLibrary& library, std::string_view vertexPath,
                  std::string_view fragmentPath, std::span<const std::string> defines,
                  const char* label)
-    : handle_(gl, gl.CreateProgram()) {
-    const Shader vertex = compile(gl, library, GL_VERTEX_SHADER, vertexPath, defines);
-    const Shader fragment = compile(gl, library, GL_FRAGMENT_SHADER, fragmentPath, defines);
-    gl.AttachShader(name(), vertex.name());
-    gl.AttachShader(name(), fragment.name());
+    : Program(gl) {
+    const std::array paths = {vertexPath, fragmentPath};
+    const std::array shaders = {compile(gl, library, GL_VERTEX_SHADER, vertexPath, defines),
+                                compile(gl, library, GL_FRAGMENT_SHADER, fragmentPath, defines)};
+    link(paths, shaders, label);
+}
+
+Program Program::compute(const Functions& gl, const ShaderLibrary& library, std::string_view path,
+                         std::span<const std::string> defines, const char* label) {
+    Program program(gl);
+    const Shader shader = compile(gl, library, GL_COMPUTE_SHADER, path, defines);
+    program.link(std::span(&path, 1), std::span(&shader, 1), label);
+    return program;
+}
+
+void Program::link(std::span<const std::string_view> paths, std::span<const Shader> shaders,
+                   const char* label) {
+    const Functions& gl = handle_.functions();
+    for (const Shader& shader : shaders) gl.AttachShader(name(), shader.name());
     gl.LinkProgram(name());
-    gl.DetachShader(name(), vertex.name());
-    gl.DetachShader(name(), fragment.name());
+    for (const Shader& shader : shaders) gl.DetachShader(name(), shader.name());
     gl.ObjectLabel(GL_PROGRAM, name(), -1, label);
 
     GLint linked = GL_FALSE;
     gl.GetProgramiv(name(), GL_LINK_STATUS, &linked);
-    if (linked != GL_TRUE) {
-        GLint length = 0;
-        gl.GetProgramiv(name(), GL_INFO_LOG_LENGTH, &length);
-        const std::string log = readLog(length, [&](GLsizei size, GLsizei* written, char* buffer) {
-            gl.GetProgramInfoLog(name(), size, written, buffer);
-        });
-        throw ShaderError(concat(vertexPath, " and ", fragmentPath, " do not link:\n", log));
-    }
+    if (linked == GL_TRUE) return;
+    GLint length = 0;
+    gl.GetProgramiv(name(), GL_INFO_LOG_LENGTH, &length);
+    const std::string log = readLog(length, [&](GLsizei size, GLsizei* written, char* buffer) {
+        gl.GetProgramInfoLog(name(), size, written, buffer);
+    });
+    std::string what;
+    for (const std::string_view path : paths) what += concat(what.empty() ? "" : " and ", path);
+    throw ShaderError(concat(what, paths.size() > 1 ? " do" : " does", " not link:\n", log));
 }
 
 }  // namespace polylume::gl

@@ -12,7 +12,12 @@
 
 namespace polylume::gl {
 
-/// A linked program of a vertex and a fragment shader.
+inline void destroyShader(const Functions& gl, GLuint name) {
+    gl.DeleteShader(name);
+}
+using Shader = Handle<&destroyShader>;
+
+/// A linked program of a vertex and a fragment shader, or of a compute shader.
 class Program {
   public:
     Program() = default;
@@ -21,11 +26,20 @@ class Program {
     Program(const Functions& gl, const ShaderLibrary& library, std::string_view vertexPath,
             std::string_view fragmentPath, std::span<const std::string> defines, const char* label);
 
+    /// The same of the compute shader `path`.
+    static Program compute(const Functions& gl, const ShaderLibrary& library, std::string_view path,
+                           std::span<const std::string> defines, const char* label);
+
     void use() const { handle_.functions().UseProgram(name()); }
     GLuint name() const { return handle_.name(); }
     bool isEmpty() const { return handle_.isEmpty(); }
 
   private:
+    explicit Program(const Functions& gl) : handle_(gl, gl.CreateProgram()) {}
+    /// Links the stages of `paths`. Throws ShaderError that names them.
+    void link(std::span<const std::string_view> paths, std::span<const Shader> shaders,
+              const char* label);
+
     static void destroy(const Functions& gl, GLuint name) { gl.DeleteProgram(name); }
     Handle<&Program::destroy> handle_;
 };

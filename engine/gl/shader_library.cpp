@@ -40,10 +40,22 @@ ShaderLibrary::ShaderLibrary(std::optional<std::filesystem::path> overrideDir)
 ShaderSource ShaderLibrary::expand(std::string_view path,
                                    std::span<const std::string> defines) const {
     ShaderSource source;
-    source.text = "#version 450 core\n";
-    for (const std::string& define : defines) source.text += concat("#define ", define, "\n");
-    append(path, "", source);
+    std::string extensions;
+    append(path, "", source, extensions);
+    std::string begin = concat("#version 450 core\n", extensions);
+    for (const std::string& define : defines) begin += concat("#define ", define, "\n");
+    source.text.insert(0, begin);
     return source;
+}
+
+void ShaderLibrary::setFile(std::string path, std::string text, std::string name) {
+    std::erase_if(givenFiles_, [&](const GivenFile& file) { return file.path == path; });
+    givenFiles_.push_back({std::move(path), std::move(text), std::move(name)});
+}
+
+const ShaderLibrary::GivenFile* ShaderLibrary::findGiven(std::string_view path) const {
+    const auto found = std::ranges::find(givenFiles_, path, &GivenFile::path);
+    return found == givenFiles_.end() ? nullptr : &*found;
 }
 
 std::vector<std::string> ShaderLibrary::paths(std::string_view suffix) {
@@ -55,6 +67,7 @@ std::vector<std::string> ShaderLibrary::paths(std::string_view suffix) {
 }
 
 std::string ShaderLibrary::read(std::string_view path, std::string_view includedFrom) const {
+    if (const GivenFile* given = findGiven(path)) return given->text;
     if (overrideDir_ && std::filesystem::exists(*overrideDir_ / path)) {
         return readTextFile(*overrideDir_ / path);
     }
@@ -69,21 +82,27 @@ std::string ShaderLibrary::read(std::string_view path, std::string_view included
 }
 
 void ShaderLibrary::append(std::string_view path, std::string_view includedFrom,
-                           ShaderSource& source) const {
+                           ShaderSource& source, std::string& extensions) const {
+    const GivenFile* given = findGiven(path);
+    const std::string name(given != nullptr ? std::string_view(given->name) : path);
     // Once per path, as with #pragma once.
-    if (std::ranges::find(source.files, path) != source.files.end()) return;
+    if (std::ranges::find(source.files, name) != source.files.end()) return;
     const std::size_t id = source.files.size();
-    source.files.emplace_back(path);
+    source.files.push_back(name);
 
     std::istringstream lines(read(path, includedFrom));
     static const std::regex includePattern(R"re(^\s*#\s*include\s+"([^"]+)".*)re");
+    static const std::regex extensionPattern(R"(^\s*#\s*extension\b)");
     std::string line;
     std::smatch match;
     source.text += lineDirective(id, 1);
     for (int number = 1; std::getline(lines, line); ++number) {
         if (std::regex_match(line, match, includePattern)) {
-            append(match[1].str(), concat(path, ":", number), source);
+            append(match[1].str(), concat(name, ":", number), source, extensions);
             source.text += lineDirective(id, number + 1);
+        } else if (std::regex_search(line, extensionPattern)) {
+            extensions += lineDirective(id, number) + line + '\n';
+            source.text += '\n';
         } else {
             source.text += line;
             source.text += '\n';

@@ -27,18 +27,33 @@ class ShaderLibrary {
 
     /// `path` (from `glsl/`, "passes/lighting.frag") with every `#include "path"`, also from
     /// `glsl/`, replaced by that file, once each and whatever #if it stands in. `#define NAME`
-    /// lines for `defines` follow the version line. Throws ShaderError with file and line for a
-    /// missing file.
+    /// lines for `defines` follow the version line, and before them `#extension` lines of all
+    /// files, which a compiler takes at the beginning alone. Throws ShaderError with file and line
+    /// for a missing file.
     ShaderSource expand(std::string_view path, std::span<const std::string> defines = {}) const;
+
+    /// Takes `text` for the file `path` from now on, in place of one that is there. Messages call
+    /// it `name`.
+    void setFile(std::string path, std::string text, std::string name);
 
     /// The paths of the files whose name ends in `suffix`.
     static std::vector<std::string> paths(std::string_view suffix);
 
   private:
+    /// A file that setFile() put in.
+    struct GivenFile {
+        std::string path;
+        std::string text;
+        std::string name;
+    };
+
+    const GivenFile* findGiven(std::string_view path) const;
     std::string read(std::string_view path, std::string_view includedFrom) const;
-    void append(std::string_view path, std::string_view includedFrom, ShaderSource& source) const;
+    void append(std::string_view path, std::string_view includedFrom, ShaderSource& source,
+                std::string& extensions) const;
 
     std::optional<std::filesystem::path> overrideDir_;
+    std::vector<GivenFile> givenFiles_;
 };
 
 /// Puts files and their own line numbers into a compiler's log, in place of the numbers that the

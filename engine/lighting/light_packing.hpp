@@ -13,6 +13,43 @@
 
 namespace polylume {
 
+/// Which of the shaders' loops a light goes through; `none` where it has no area and gives no
+/// light.
+enum class LightKind : std::uint8_t {
+    none,
+    triangle,
+    polygon,
+    texturedPolygon,
+    parallelogram,
+    texturedParallelogram,
+    disk,
+    ellipse,
+    sphere,
+    tube,
+    punctual
+};
+
+LightKind kindOf(const PolygonLight& light);
+LightKind kindOf(const EllipseLight& light);
+LightKind kindOf(const SphereLight& light);
+LightKind kindOf(const TubeLight& light);
+LightKind kindOf(const PunctualLight& light);
+
+/// Where a light of a LightSet is in the list of its kind's data in PackedLights.
+struct LightPlace {
+    LightKind kind = LightKind::none;
+    std::uint32_t slot = 0;
+};
+
+/// For each light of the LightSet's lists its place. Punctual lights are in their own order.
+struct LightPlaces {
+    std::vector<LightPlace> polygons;
+    std::vector<LightPlace> ellipses;
+    std::vector<LightPlace> spheres;
+    std::vector<LightPlace> tubes;
+    std::vector<LightPlace> punctuals;
+};
+
 /// A LightSet in the form that the shaders read.
 struct PackedLights {
     std::vector<shared::ParallelogramData> parallelograms;
@@ -32,11 +69,21 @@ struct PackedLights {
     std::uint32_t texturedParallelogramCount = 0;
     std::uint32_t texturedPolygonCount = 0;
     std::vector<TexturedLight> texturedLights;  ///< Those parallelograms, then those polygons.
+    LightPlaces places;
 };
 
 /// Sorts the polygons into parallelograms and triangles, and the ellipses into disks, which have
 /// faster paths, and others. A light without area is left out: it gives no light. Throws Error as
 /// checkLights() does.
 PackedLights packLights(const LightSet& lights);
+
+/// Writes one light's data over those of its place, which was made for a light of the same kind
+/// and as many vertices in each contour. Allocates nothing. The flatScale may get less, and what
+/// the data say of the light's image stays.
+void packLight(const PolygonLight& light, const LightPlace& place, PackedLights& packed);
+void packLight(const EllipseLight& light, const LightPlace& place, PackedLights& packed);
+void packLight(const SphereLight& light, const LightPlace& place, PackedLights& packed);
+void packLight(const TubeLight& light, const LightPlace& place, PackedLights& packed);
+void packLight(const PunctualLight& light, const LightPlace& place, PackedLights& packed);
 
 }  // namespace polylume

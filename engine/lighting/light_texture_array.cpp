@@ -8,6 +8,7 @@
 #include <bit>
 
 #include "core/text.hpp"
+#include "gl/picture_state.hpp"
 #include "polylume/error.hpp"
 #include "shared/light_texture_data.h"
 
@@ -59,19 +60,19 @@ class KeptTarget {
   public:
     explicit KeptTarget(const gl::Functions& gl) : gl_(gl) {
         gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer_);
-        gl.GetIntegerv(GL_VIEWPORT, viewport_.data());
+        gl.GetFloati_v(GL_VIEWPORT, 0, viewport_.data());
     }
     KeptTarget(const KeptTarget&) = delete;
     KeptTarget& operator=(const KeptTarget&) = delete;
     ~KeptTarget() {
         gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(framebuffer_));
-        gl_.Viewport(viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
+        gl_.ViewportIndexedfv(0, viewport_.data());
     }
 
   private:
     const gl::Functions& gl_;
     GLint framebuffer_ = 0;
-    std::array<GLint, 4> viewport_{};
+    std::array<GLfloat, 4> viewport_{};
 };
 
 }  // namespace
@@ -163,6 +164,13 @@ void LightTextureArray::update(std::size_t layer, const LightImage& image) {
     bakeImage(layer, staging_.name(), image.size);
 }
 
+void LightTextureArray::move(std::size_t layer, const LightFrameEdges& edges) {
+    LightTextureFrame& frame = lights_.at(layer).frame;
+    frame.corner = edges.corner;
+    frame.edgeX = edges.edgeX;
+    frame.edgeY = edges.edgeY;
+}
+
 void LightTextureArray::bind(GLuint unit) const {
     gl_->BindTextureUnit(unit, texture_.name());
     gl_->BindSampler(unit, filtering_.name());
@@ -171,12 +179,7 @@ void LightTextureArray::bind(GLuint unit) const {
 void LightTextureArray::setState() const {
     gl_->BindVertexArray(noVertices_.name());
     gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.name());
-    gl_->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    gl_->PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-    for (const GLenum capability : {GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST, GL_STENCIL_TEST,
-                                    GL_DEPTH_TEST, GL_RASTERIZER_DISCARD, GL_COLOR_LOGIC_OP}) {
-        gl_->Disable(capability);
-    }
+    gl::setPictureState(*gl_);
     gl_->BindTextureUnit(shared::kLightImageUnit, texture_.name());
     gl_->BindSampler(shared::kLightImageUnit, reading_.name());
 }
@@ -184,7 +187,8 @@ void LightTextureArray::setState() const {
 void LightTextureArray::drawLevel(std::size_t layer, int level, const gl::Program& program) const {
     gl_->NamedFramebufferTextureLayer(framebuffer_.name(), GL_COLOR_ATTACHMENT0, texture_.name(),
                                       level, static_cast<GLint>(layer));
-    gl_->Viewport(0, 0, size_ >> level, size_ >> level);
+    const auto side = static_cast<float>(size_ >> level);
+    gl_->ViewportIndexedf(0, 0.0f, 0.0f, side, side);
     program.use();
     if (&program != &programs_->image) {
         gl_->ProgramUniform2i(program.name(), shared::kBakeTargetLocation,

@@ -34,7 +34,9 @@ struct LightImagePrograms {
 /// factors of the radiance, each texel the mean over the part of the light that it covers. Where a
 /// layer is larger than a light's image it repeats it mirrored, so that filters see the edge as if
 /// the image went on beyond it. Every call needs the context current that it was made in, and
-/// leaves the draw framebuffer and the viewport as they were.
+/// leaves the draw framebuffer and the viewport as they were; it sets the pixel unpack alignment,
+/// the program, the vertex array, the state of gl::setPictureState(), and the texture units
+/// kLightImageUnit, kBakeSourceUnit and kBakeCoverageUnit.
 class LightTextureArray {
   public:
     /// No more than this for all layers, in bytes: then they become smaller.
@@ -52,6 +54,9 @@ class LightTextureArray {
     void update(std::size_t layer, GLuint texture);
     /// The same from texels; allocates only where their size is another than the last time.
     void update(std::size_t layer, const LightImage& image);
+
+    /// The light of `layer` has moved, with its image.
+    void move(std::size_t layer, const LightFrameEdges& edges);
 
     void bind(GLuint unit) const;
 

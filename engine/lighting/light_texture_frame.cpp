@@ -18,6 +18,52 @@ int sizeFor(double texels) {
     return static_cast<int>(std::bit_ceil(static_cast<unsigned>(wanted)));
 }
 
+LightFrameEdges parallelogramEdges(const PolygonLight& light) {
+    const auto& contour = light.contours.front();
+    return {contour[0], glm::dvec3(contour[1]) - glm::dvec3(contour[0]),
+            glm::dvec3(contour[3]) - glm::dvec3(contour[0])};
+}
+
+/// The box of the outline along the texture's axes.
+struct OutlineBox {
+    glm::dvec2 low{1e300};  ///< Texture coordinates.
+    glm::dvec2 high{-1e300};
+    LightFrameEdges edges;
+
+    explicit OutlineBox(const PolygonLight& light) {
+        const LightTexture& texture = *light.texture;
+        for (const glm::vec3& vertex : light.contours.front()) {
+            const glm::dvec2 place = textureCoordinates(texture, vertex);
+            low = glm::min(low, place);
+            high = glm::max(high, place);
+        }
+        const glm::dvec3 u(texture.axisU), v(texture.axisV);
+        // On the light's own plane, which the texture's origin may be a little off.
+        const glm::dvec3 anchor(light.contours.front().front());
+        const glm::dvec2 step = low - textureCoordinates(texture, anchor);
+        edges.corner = anchor + step.x * u + step.y * v;
+        edges.edgeX = (high.x - low.x) * u;
+        edges.edgeY = (high.y - low.y) * v;
+    }
+    glm::dvec2 place(const LightTexture& texture, const glm::vec3& vertex) const {
+        return (textureCoordinates(texture, vertex) - low) / (high - low);
+    }
+};
+
+/// Whether the outline in places of its box is that of `frame`.
+bool hasOutline(const PolygonLight& light, const OutlineBox& box, const LightTextureFrame& frame,
+                double tolerance) {
+    if (light.contours.size() != frame.contours.size()) return false;
+    for (std::size_t c = 0; c < frame.contours.size(); ++c) {
+        if (light.contours[c].size() != frame.contours[c].size()) return false;
+        for (std::size_t i = 0; i < frame.contours[c].size(); ++i) {
+            const glm::dvec2 place = box.place(*light.texture, light.contours[c][i]);
+            if (!(glm::distance(place, frame.contours[c][i]) <= tolerance)) return false;
+        }
+    }
+    return true;
+}
+
 void setTextureMapping(const LightTexture& texture, LightTextureFrame& frame) {
     frame.textureOrigin = textureCoordinates(texture, frame.corner);
     frame.textureX = textureCoordinates(texture, frame.corner + frame.edgeX) - frame.textureOrigin;
@@ -45,29 +91,16 @@ void setMoments(LightTextureFrame& frame) {
     frame.variance = glm::max(second / area - frame.center * frame.center, glm::dvec2(1e-6));
 }
 
-/// The box of the outline along the texture's axes.
-void setBoundingFrame(const PolygonLight& light, LightTextureFrame& frame) {
-    const LightTexture& texture = *light.texture;
-    glm::dvec2 low(1e300), high(-1e300);
-    for (const glm::vec3& vertex : light.contours.front()) {
-        const glm::dvec2 place = textureCoordinates(texture, vertex);
-        low = glm::min(low, place);
-        high = glm::max(high, place);
-    }
-    const glm::dvec3 u(texture.axisU), v(texture.axisV);
-    // On the light's own plane, which the texture's origin may be a little off.
-    const glm::dvec3 anchor(light.contours.front().front());
-    const glm::dvec2 step = low - textureCoordinates(texture, anchor);
-    frame.corner = anchor + step.x * u + step.y * v;
-    frame.edgeX = (high.x - low.x) * u;
-    frame.edgeY = (high.y - low.y) * v;
+LightFrameEdges setOutline(const PolygonLight& light, LightTextureFrame& frame) {
+    const OutlineBox box(light);
     for (const auto& contour : light.contours) {
         auto& places = frame.contours.emplace_back();
         for (const glm::vec3& vertex : contour) {
-            places.push_back((textureCoordinates(texture, vertex) - low) / (high - low));
+            places.push_back(box.place(*light.texture, vertex));
         }
     }
     setMoments(frame);
+    return box.edges;
 }
 
 /// Adds to `row` how much of each texel lies between the crossings.
@@ -88,16 +121,51 @@ void fillRow(std::vector<double>& crossings, std::vector<double>& row) {
 
 LightTextureFrame lightTextureFrame(const PolygonLight& light, bool isParallelogram) {
     LightTextureFrame frame;
-    if (isParallelogram) {
-        const auto& contour = light.contours.front();
-        frame.corner = contour[0];
-        frame.edgeX = glm::dvec3(contour[1]) - glm::dvec3(contour[0]);
-        frame.edgeY = glm::dvec3(contour[3]) - glm::dvec3(contour[0]);
-    } else {
-        setBoundingFrame(light, frame);
-    }
+    const LightFrameEdges edges =
+        isParallelogram ? parallelogramEdges(light) : setOutline(light, frame);
+    frame.corner = edges.corner;
+    frame.edgeX = edges.edgeX;
+    frame.edgeY = edges.edgeY;
     setTextureMapping(*light.texture, frame);
     return frame;
+}
+
+std::optional<LightFrameEdges> movedFrame(const PolygonLight& light, bool isParallelogram,
+                                          const LightTextureFrame& frame,
+                                          const LightTexture& textureBefore) {
+    const LightTexture& texture = *light.texture;
+    if (texture.wrapU != textureBefore.wrapU || texture.wrapV != textureBefore.wrapV) {
+        return std::nullopt;
+    }
+    const glm::dvec3 anchor(light.contours.front().front());
+    // A tenth of a texel of the largest image, and what rounding of coordinates in float is.
+    const auto toleranceOf = [&](const LightFrameEdges& edges) {
+        const double length = std::min(glm::length(edges.edgeX), glm::length(edges.edgeY));
+        const double reach = glm::length(anchor) + glm::length(edges.edgeX) +
+                             glm::length(edges.edgeY) + glm::length(glm::dvec3(texture.origin));
+        return 0.1 / LightTextureFrame::kLargestSize + 4.0 * 1.2e-7 * reach / length;
+    };
+    LightFrameEdges edges;
+    double tolerance = 0.0;
+    if (isParallelogram) {
+        edges = parallelogramEdges(light);
+        tolerance = toleranceOf(edges);
+    } else {
+        const OutlineBox box(light);
+        edges = box.edges;
+        tolerance = toleranceOf(edges);
+        if (!hasOutline(light, box, frame, tolerance)) return std::nullopt;
+    }
+    const glm::dvec2 origin = textureCoordinates(texture, edges.corner);
+    const glm::dvec2 x = textureCoordinates(texture, edges.corner + edges.edgeX) - origin;
+    const glm::dvec2 y = textureCoordinates(texture, edges.corner + edges.edgeY) - origin;
+    const double most = tolerance * (glm::length(frame.textureX) + glm::length(frame.textureY));
+    if (!(glm::distance(origin, frame.textureOrigin) <= most) ||
+        !(glm::distance(x, frame.textureX) <= most) ||
+        !(glm::distance(y, frame.textureY) <= most)) {
+        return std::nullopt;
+    }
+    return edges;
 }
 
 std::vector<std::uint8_t> lightCoverage(const LightTextureFrame& frame) {

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
 #include "polylume/light.hpp"
@@ -31,6 +32,21 @@ struct LightTextureFrame {
 
 /// The frame of a light with a texture; `isParallelogram` where its outline is one.
 LightTextureFrame lightTextureFrame(const PolygonLight& light, bool isParallelogram);
+
+/// Where a frame lies.
+struct LightFrameEdges {
+    glm::dvec3 corner{0.0};
+    glm::dvec3 edgeX{0.0};
+    glm::dvec3 edgeY{0.0};
+};
+
+/// Where the frame of `light`, moved from where `frame` was made for it, lies now; nothing where
+/// its image does not lie on it as before, within a tenth of a texel: another size, another
+/// outline, or another place or wrapping of the texture. Allocates nothing. The texture's image is
+/// not looked at.
+std::optional<LightFrameEdges> movedFrame(const PolygonLight& light, bool isParallelogram,
+                                          const LightTextureFrame& frame,
+                                          const LightTexture& textureBefore);
 
 /// How much of each texel of `frame.size` the light covers, 0 to 255, rows from that of place
 /// y = 0. Even-odd rule.

@@ -3,17 +3,14 @@
 
 #pragma once
 
-#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "gl/objects.hpp"
 #include "gl/program.hpp"
 #include "gl/shader_library.hpp"
 #include "lighting/gbuffer_layout.hpp"
-#include "lighting/light_packing.hpp"
-#include "lighting/light_texture_array.hpp"
-#include "lighting/table_texture.hpp"
+#include "lighting/lighting_resources.hpp"
 #include "ltc/table.hpp"
 #include "polylume/light.hpp"
 #include "polylume/lighting_model.hpp"
@@ -48,6 +45,15 @@ class LightingPass {
     /// another than that of the last image.
     void updateLightTexture(std::size_t polygon, const LightImage& image);
 
+    /// Replace lights from index `first` of LightSet::polygons and so on, as AreaLighting does:
+    /// where each keeps its kind, at a cost that goes with their number alone, else by setLights().
+    /// What was made from packedLights() knows nothing of it.
+    void updatePolygons(std::size_t first, std::span<const PolygonLight> lights);
+    void updateEllipses(std::size_t first, std::span<const EllipseLight> lights);
+    void updateSpheres(std::size_t first, std::span<const SphereLight> lights);
+    void updateTubes(std::size_t first, std::span<const TubeLight> lights);
+    void updatePunctuals(std::size_t first, std::span<const PunctualLight> lights);
+
     /// `Lobes::all` at first: diffuse and specular reflection and emission. One reflection alone
     /// comes without emission; sheen goes with the specular one.
     void setLobes(Lobes lobes);
@@ -59,40 +65,25 @@ class LightingPass {
 
     /// Binds lights and tables for a program of the caller's that includes lighting/shade.glsl,
     /// built with defines().
-    void bind() const;
+    void bind() const { resources_.bind(); }
     /// The defines of the shader variant that the lights and the model need.
-    const std::vector<std::string>& defines() const { return defines_; }
-    const LightingModel& model() const { return model_; }
+    const std::vector<std::string>& defines() const { return resources_.defines(); }
+    const LightingModel& model() const { return resources_.model(); }
     /// The lights as the shaders read them.
-    const PackedLights& packedLights() const { return packed_; }
+    const PackedLights& packedLights() const { return resources_.packedLights(); }
 
   private:
-    std::vector<std::string> makeDefines() const;
-    void uploadSettings();
-    void uploadLightTextures();
-    std::size_t imageLayer(std::size_t polygon) const;
+    LightingPass(const gl::Functions& gl, const gl::ShaderLibrary& library,
+                 const ltc::Table* specularTable, const LightingModel& model);
+
+    void take(LightSet lights);
+    template <typename Light>
+    void update(std::size_t first, std::span<const Light> lights);
 
     const gl::Functions& gl_;
     const gl::ShaderLibrary& library_;
-    LightingModel model_;
-    TableTexture specularTable_;
-    TableTexture diffuseTable_;  ///< Empty for Lambert's.
-    TableTexture sheenTable_;    ///< Empty without sheen.
-    PackedLights packed_;
-    Lobes lobes_ = Lobes::all;
-    std::vector<std::string> defines_;
-    gl::Buffer settings_;
-    gl::Buffer parallelograms_;
-    gl::Buffer polygons_;
-    gl::Buffer polygonVertices_;
-    gl::BufferTexture polygonVertexTexels_;
-    gl::Buffer punctuals_;
-    gl::Buffer ellipses_;
-    gl::Buffer spheres_;
-    gl::Buffer tubes_;
-    std::shared_ptr<const LightImagePrograms> imagePrograms_;  ///< Null before a textured light.
-    LightTextureArray lightImages_;
-    gl::Buffer lightTextures_;
+    LightingResources resources_;
+    std::vector<std::string> programDefines_;
     gl::Program program_;
     gl::VertexArray noVertices_;
 };

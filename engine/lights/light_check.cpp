@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Polylume authors
 // SPDX-License-Identifier: MIT
 
-#include "polylume/light.hpp"
+#include "lights/light_check.hpp"
 
 #include <string_view>
 
 #include "core/limits.hpp"
 #include "core/text.hpp"
-#include "lights/polygon_check.hpp"
 #include "lights/texture_check.hpp"
 #include "polylume/error.hpp"
 
@@ -28,7 +27,15 @@ void checkPower(const glm::vec3& power, std::string_view name, std::string_view 
                        kLargestEmission, ", found (", power.x, ", ", power.y, ", ", power.z, ")"));
 }
 
-void checkPolygon(const PolygonLight& light, std::size_t index) {
+template <typename Light>
+void checkEach(const std::vector<Light>& lights) {
+    for (std::size_t i = 0; i < lights.size(); ++i) checkLight(lights[i], i);
+}
+
+}  // namespace
+
+void checkLight(const PolygonLight& light, std::size_t index, PolygonCheckStorage& storage,
+                bool withImage) {
     checkPower(light.radiance, "radiance", "polygon", index);
     std::size_t vertexCount = 0;
     for (const auto& contour : light.contours) vertexCount += contour.size();
@@ -52,24 +59,26 @@ void checkPolygon(const PolygonLight& light, std::size_t index) {
             }
         }
     }
-    checkContours(light, index);
-    checkLightTexture(light, index);
+    checkContours(light, index, storage);
+    if (!light.texture) return;
+    if (withImage) checkLightImage(light, index);
+    checkTextureAxes(light, index);
 }
 
-void checkEllipse(const EllipseLight& light, std::size_t index) {
+void checkLight(const EllipseLight& light, std::size_t index) {
     checkPower(light.radiance, "radiance", "ellipse", index);
     if (isFinite(light.center) && isFinite(light.halfAxisX) && isFinite(light.halfAxisY)) return;
     throw Error(concat("expected a finite centre and finite half axes of ellipse light ", index));
 }
 
-void checkSphere(const SphereLight& light, std::size_t index) {
+void checkLight(const SphereLight& light, std::size_t index) {
     checkPower(light.radiance, "radiance", "sphere", index);
     if (isFinite(light.center) && light.radius >= 0.0f && std::isfinite(light.radius)) return;
     throw Error(concat("expected a finite centre and a finite radius of 0 or more of sphere light ",
                        index, ", found a radius of ", light.radius));
 }
 
-void checkTube(const TubeLight& light, std::size_t index) {
+void checkLight(const TubeLight& light, std::size_t index) {
     checkPower(light.radiance, "radiance", "tube", index);
     if (isFinite(light.start) && isFinite(light.end) && light.radius >= 0.0f &&
         std::isfinite(light.radius)) {
@@ -79,25 +88,21 @@ void checkTube(const TubeLight& light, std::size_t index) {
                        index, ", found a radius of ", light.radius));
 }
 
-void checkPunctual(const PunctualLight& light, std::size_t index) {
+void checkLight(const PunctualLight& light, std::size_t index) {
     checkPower(light.intensity, "intensity", "punctual", index);
     if (isFinite(light.position) && isFinite(light.direction)) return;
     throw Error(concat("expected a finite position and direction of punctual light ", index));
 }
 
-template <typename Light, typename Check>
-void checkEach(const std::vector<Light>& lights, const Check& check) {
-    for (std::size_t i = 0; i < lights.size(); ++i) check(lights[i], i);
-}
-
-}  // namespace
-
 void checkLights(const LightSet& lights) {
-    checkEach(lights.polygons, checkPolygon);
-    checkEach(lights.ellipses, checkEllipse);
-    checkEach(lights.spheres, checkSphere);
-    checkEach(lights.tubes, checkTube);
-    checkEach(lights.punctuals, checkPunctual);
+    PolygonCheckStorage storage;
+    for (std::size_t i = 0; i < lights.polygons.size(); ++i) {
+        checkLight(lights.polygons[i], i, storage);
+    }
+    checkEach(lights.ellipses);
+    checkEach(lights.spheres);
+    checkEach(lights.tubes);
+    checkEach(lights.punctuals);
 }
 
 }  // namespace polylume

@@ -15,13 +15,7 @@
 namespace polylume {
 namespace {
 
-/// An edge in the light's plane.
-struct Edge {
-    glm::dvec2 from;
-    glm::dvec2 to;
-    std::size_t contour;
-    std::size_t vertex;  ///< The one that it begins at.
-};
+using Edge = PolygonEdge;
 
 double crossOf(const glm::dvec2& a, const glm::dvec2& b) {
     return a.x * b.y - a.y * b.x;
@@ -41,7 +35,13 @@ double distanceFromEdge(const Edge& edge, const glm::dvec2& point) {
 
 class PolygonCheck {
   public:
-    PolygonCheck(const PolygonLight& light, std::size_t index) : light_(light), index_(index) {
+    PolygonCheck(const PolygonLight& light, std::size_t index, PolygonCheckStorage& storage)
+        : light_(light),
+          index_(index),
+          edges_(storage.edges),
+          sorted_(storage.sorted),
+          isInside_(storage.isInside) {
+        edges_.clear();
         const std::vector<glm::vec3>& outline = light.contours.front();
         origin_ = glm::dvec3(outline.front());
         double reach = 0.0;
@@ -127,8 +127,9 @@ class PolygonCheck {
     }
 
     /// Looks at pairs whose ranges of x overlap, by a sweep over x.
-    void checkCrossings() const {
-        std::vector<const Edge*> sorted;
+    void checkCrossings() {
+        std::vector<const Edge*>& sorted = sorted_;
+        sorted.clear();
         for (const Edge& edge : edges_) sorted.push_back(&edge);
         const auto low = [](const Edge* edge) { return std::min(edge->from.x, edge->to.x); };
         std::ranges::sort(sorted, {}, low);
@@ -167,7 +168,7 @@ class PolygonCheck {
                            " not to cross each other, ", found));
     }
 
-    void checkHole(std::size_t hole) const {
+    void checkHole(std::size_t hole) {
         const double turn = glm::dot(areaVector(light_.contours[hole]), normal_);
         // Holes as narrow as rounding turn as they like.
         if (turn > slack_ * extent_) {
@@ -191,8 +192,9 @@ class PolygonCheck {
         });
     }
 
-    void checkPlace(std::size_t hole, std::size_t vertex, const glm::dvec2& point) const {
-        std::vector<char> isInside(light_.contours.size(), 0);
+    void checkPlace(std::size_t hole, std::size_t vertex, const glm::dvec2& point) {
+        std::vector<char>& isInside = isInside_;
+        isInside.assign(light_.contours.size(), 0);
         for (const Edge& edge : edges_) {
             if ((edge.from.y > point.y) == (edge.to.y > point.y)) continue;
             const double share = (point.y - edge.from.y) / (edge.to.y - edge.from.y);
@@ -230,13 +232,15 @@ class PolygonCheck {
     glm::dvec3 normal_{0.0};
     glm::dvec3 axisX_{0.0};
     glm::dvec3 axisY_{0.0};
-    std::vector<Edge> edges_;
+    std::vector<Edge>& edges_;
+    std::vector<const Edge*>& sorted_;
+    std::vector<char>& isInside_;
 };
 
 }  // namespace
 
-void checkContours(const PolygonLight& light, std::size_t index) {
-    PolygonCheck(light, index).run();
+void checkContours(const PolygonLight& light, std::size_t index, PolygonCheckStorage& storage) {
+    PolygonCheck(light, index, storage).run();
 }
 
 }  // namespace polylume

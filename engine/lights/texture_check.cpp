@@ -21,17 +21,20 @@ std::string describe(const glm::vec3& v) {
     return concat("(", v.x, ", ", v.y, ", ", v.z, ")");
 }
 
-void checkAxes(const PolygonLight& light, std::size_t index) {
+}  // namespace
+
+void checkTextureAxes(const PolygonLight& light, std::size_t index) {
     const LightTexture& texture = *light.texture;
-    const std::string where = concat("the texture of polygon light ", index);
+    // Put together where it is needed: updates of lights allocate nothing.
+    const auto where = [&] { return concat("the texture of polygon light ", index); };
     if (!isFinite(texture.origin) || !isFinite(texture.axisU) || !isFinite(texture.axisV)) {
-        throw Error(concat("expected a finite origin and finite axes of ", where));
+        throw Error(concat("expected a finite origin and finite axes of ", where()));
     }
     const glm::dvec3 u(texture.axisU), v(texture.axisV);
     const glm::dvec3 across = glm::cross(u, v);
     // An angle of less than a thousandth between the axes is rounding, no image.
     if (!(glm::length(across) > 1e-3 * glm::length(u) * glm::length(v))) {
-        throw Error(concat("expected the axes of ", where, " to span a plane, found ",
+        throw Error(concat("expected the axes of ", where(), " to span a plane, found ",
                            describe(texture.axisU), " and ", describe(texture.axisV)));
     }
     const glm::dvec3 area = areaVector(light.contours.front());
@@ -39,15 +42,13 @@ void checkAxes(const PolygonLight& light, std::size_t index) {
     const glm::dvec3 normal = glm::normalize(area);
     const auto checkInPlane = [&](const glm::vec3& axis, const char* name) {
         if (std::abs(glm::dot(normal, glm::dvec3(axis))) <= 1e-3 * glm::length(axis)) return;
-        throw Error(concat("expected ", name, " of ", where, " to lie in the light's plane, found ",
+        throw Error(concat("expected ", name, " of ", where(), " to lie in the light's plane, found ",
                            describe(axis), " where the plane's normal is ",
                            describe(glm::vec3(normal))));
     };
     checkInPlane(texture.axisU, "axisU");
     checkInPlane(texture.axisV, "axisV");
 }
-
-}  // namespace
 
 void checkLightImage(const LightImage& image, std::size_t index) {
     const std::string where = concat("the texture of polygon light ", index);
@@ -70,13 +71,11 @@ void checkLightImage(const LightImage& image, std::size_t index) {
     }
 }
 
-void checkLightTexture(const PolygonLight& light, std::size_t index) {
-    if (!light.texture) return;
+void checkLightImage(const PolygonLight& light, std::size_t index) {
     if (light.texture->image == nullptr) {
         throw Error(concat("expected the texture of polygon light ", index, " to have an image"));
     }
     checkLightImage(*light.texture->image, index);
-    checkAxes(light, index);
 }
 
 }  // namespace polylume

@@ -9,12 +9,16 @@
 
 namespace polylume {
 
-/// Throws Error that names polygon light `index` where it has a texture with no image, or one of
-/// another size than its texels, or a texel that is negative or not finite, or axes that are not
-/// finite, in line, or out of the light's plane. A contour is taken for granted.
-void checkLightTexture(const PolygonLight& light, std::size_t index);
+/// Throws Error that names polygon light `index`, which has a texture, where that has no image, or
+/// one that checkLightImage() refuses.
+void checkLightImage(const PolygonLight& light, std::size_t index);
 
-/// The same for an image alone.
+/// The same where the texture's axes are not finite, in line, or out of the light's plane. A
+/// contour is taken for granted.
+void checkTextureAxes(const PolygonLight& light, std::size_t index);
+
+/// Throws Error that names polygon light `index` where the image is of another size than its
+/// texels, or a texel is negative or not finite.
 void checkLightImage(const LightImage& image, std::size_t index);
 
 }  // namespace polylume

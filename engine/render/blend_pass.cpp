@@ -9,6 +9,8 @@
 namespace polylume {
 namespace {
 
+constexpr const char* kFragmentPath = "passes/blend.frag";
+
 struct SortedTriangle {
     float distance = 0.0f;
     int instance = 0;
@@ -39,9 +41,22 @@ BlendPass::BlendPass(const gl::Functions& gl, const gl::ShaderLibrary& library,
                      const GpuScene& scene, const LightingPass& lighting,
                      const scene::Camera& camera)
     : gl_(gl),
+      library_(library),
       scene_(scene),
       lighting_(lighting),
-      programs_(gl, library, "passes/blend.frag", lighting.defines()) {
+      defines_(lighting.defines()),
+      programs_(gl, library, kFragmentPath, defines_) {
+    sortFor(camera);
+}
+
+void BlendPass::updateLights() {
+    if (defines_ == lighting_.defines()) return;
+    defines_ = lighting_.defines();
+    programs_.setDefines(defines_);
+}
+
+void BlendPass::sortFor(const scene::Camera& camera) {
+    runs_.clear();
     const std::vector<scene::Instance>& instances = scene_.scene().instances;
     std::vector<SortedTriangle> triangles;
     for (int i = 0; i < static_cast<int>(instances.size()); ++i) {
@@ -62,6 +77,7 @@ BlendPass::BlendPass(const gl::Functions& gl, const gl::ShaderLibrary& library,
         runs_.back().indexCount += 3;
     }
     indices_ = gl::Buffer(gl_, gl::bytesOf(indices), 0, "sorted indices");
+    vertexArrays_.clear();
     vertexArrays_.resize(instances.size());
     for (const Run& run : runs_) {
         gl::VertexArray& vertexArray = vertexArrays_[static_cast<std::size_t>(run.instance)];

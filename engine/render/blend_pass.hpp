@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "lighting/lighting_pass.hpp"
@@ -19,6 +20,11 @@ class BlendPass {
     BlendPass(const gl::Functions& gl, const gl::ShaderLibrary& library, const GpuScene& scene,
               const LightingPass& lighting, const scene::Camera& camera);
 
+    /// Sorts anew, for another camera.
+    void sortFor(const scene::Camera& camera);
+    /// Takes over what the lighting pass's lights ask of the shaders by now.
+    void updateLights();
+
     /// Draws into the bound framebuffer, which has the G-buffer's depth. The camera block is bound.
     void draw();
 
@@ -31,8 +37,10 @@ class BlendPass {
     };
 
     const gl::Functions& gl_;
+    const gl::ShaderLibrary& library_;
     const GpuScene& scene_;
     const LightingPass& lighting_;
+    std::vector<std::string> defines_;  ///< Of the programs.
     MaterialPrograms programs_;
     gl::Buffer indices_;
     std::vector<gl::VertexArray> vertexArrays_;  ///< One an instance, empty where it is opaque.

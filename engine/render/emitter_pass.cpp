@@ -4,6 +4,7 @@
 #include "render/emitter_pass.hpp"
 
 #include <limits>
+#include <utility>
 
 #include "lights/plane_axes.hpp"
 
@@ -122,21 +123,34 @@ std::vector<shared::EmitterData> packSolid(const PackedLights& lights) {
 
 EmitterPass::EmitterPass(const gl::Functions& gl, const gl::ShaderLibrary& library,
                          const LightingPass& lighting)
-    : gl_(gl), lighting_(lighting), noVertices_(gl, "emitters, no vertices") {
-    const auto makeBatch = [&](const std::vector<shared::EmitterData>& emitters, const char* label,
-                               const char* vertexPath, const char* fragmentPath) {
-        Batch batch;
-        batch.count = static_cast<int>(emitters.size());
-        if (emitters.empty()) return batch;
-        batch.program =
-            gl::Program(gl, library, vertexPath, fragmentPath, lighting.defines(), label);
-        batch.emitters = BlockArray(gl, emitters, label);
-        return batch;
-    };
-    flat_ = makeBatch(packFlat(lighting.packedLights()), "flat emitters", "passes/emitter.vert",
-                      "passes/emitter.frag");
-    solid_ = makeBatch(packSolid(lighting.packedLights()), "solid emitters",
-                       "passes/emitter_solid.vert", "passes/emitter_solid.frag");
+    : gl_(gl), library_(library), lighting_(lighting), noVertices_(gl, "emitters, no vertices") {
+    updateLights();
+}
+
+void EmitterPass::updateLights() {
+    Batch flat = makeBatch(packFlat(lighting_.packedLights()), flat_, "flat emitters",
+                           "passes/emitter.vert", "passes/emitter.frag");
+    Batch solid = makeBatch(packSolid(lighting_.packedLights()), solid_, "solid emitters",
+                            "passes/emitter_solid.vert", "passes/emitter_solid.frag");
+    flat_ = std::move(flat);
+    solid_ = std::move(solid);
+}
+
+EmitterPass::Batch EmitterPass::makeBatch(const std::vector<shared::EmitterData>& emitters,
+                                          const Batch& old, const char* label,
+                                          const char* vertexPath, const char* fragmentPath) const {
+    Batch batch;
+    batch.count = static_cast<int>(emitters.size());
+    batch.program = old.program;
+    batch.defines = old.defines;
+    if (emitters.empty()) return batch;
+    batch.emitters = BlockArray(gl_, emitters, label);
+    if (batch.program == nullptr || batch.defines != lighting_.defines()) {
+        batch.defines = lighting_.defines();
+        batch.program = std::make_shared<gl::Program>(gl_, library_, vertexPath, fragmentPath,
+                                                      batch.defines, label);
+    }
+    return batch;
 }
 
 void EmitterPass::draw() const {
@@ -165,7 +179,7 @@ void EmitterPass::draw() const {
 
 void EmitterPass::draw(const Batch& batch, GLenum mode, int vertexCount) const {
     if (batch.count == 0) return;
-    batch.program.use();
+    batch.program->use();
     for (int i = 0; i < batch.count; ++i) {
         batch.emitters.bind(shared::kEmitterBinding, i);
         gl_.DrawArrays(mode, 0, vertexCount);

@@ -3,6 +3,10 @@
 
 #pragma once
 
+#include <memory>
+#include <string>
+#include <vector>
+
 #include "gl/objects.hpp"
 #include "gl/program.hpp"
 #include "lighting/lighting_pass.hpp"
@@ -15,9 +19,13 @@ namespace polylume {
 /// the sides that emit: a ball or tube from outside, a two-sided one from inside, too.
 class EmitterPass {
   public:
-    /// Takes over the lights that `lighting` has now. Keeps references to the first and last.
+    /// Takes over the lights that `lighting` has now. Keeps references to all.
     EmitterPass(const gl::Functions& gl, const gl::ShaderLibrary& library,
                 const LightingPass& lighting);
+
+    /// Takes over the lights that the lighting pass has by now. Leaves the old ones where it throws
+    /// ShaderError.
+    void updateLights();
 
     /// The camera block is bound.
     void draw() const;
@@ -25,14 +33,19 @@ class EmitterPass {
   private:
     /// Lights that are drawn alike; without any, without a program.
     struct Batch {
-        gl::Program program;
+        std::shared_ptr<const gl::Program> program;
+        std::vector<std::string> defines;  ///< Of the program.
         BlockArray<shared::EmitterData> emitters;
         int count = 0;
     };
 
+    /// `old` is what is drawn now; its program serves on where its defines are those of today.
+    Batch makeBatch(const std::vector<shared::EmitterData>& emitters, const Batch& old,
+                    const char* label, const char* vertexPath, const char* fragmentPath) const;
     void draw(const Batch& batch, GLenum mode, int vertexCount) const;
 
     const gl::Functions& gl_;
+    const gl::ShaderLibrary& library_;
     const LightingPass& lighting_;
     gl::VertexArray noVertices_;
     Batch flat_;   ///< By their bounding rectangles.

@@ -4,7 +4,7 @@
 #include "render/frame_renderer.hpp"
 
 #include <algorithm>
-#include <array>
+#include <utility>
 
 #include "view/camera_projection.hpp"
 #include "view/scene_lights.hpp"
@@ -12,16 +12,23 @@
 namespace polylume {
 namespace {
 
-LightingPass makeLighting(const gl::Functions& gl, const gl::ShaderLibrary& library,
-                          const scene::Scene& scene, const RenderOptions& options) {
-    LightingModel model = options.model;
-    model.sheen = scene.hasSheen();
-    LightingPass lighting = options.specularTable
-                                ? LightingPass(gl, library, *options.specularTable, model)
-                                : LightingPass(gl, library, model);
-    lighting.setLights(lightsOf(scene, options));
-    lighting.setLobes(options.lobes);
+std::unique_ptr<LightingPass> makeLighting(const gl::Functions& gl,
+                                           const gl::ShaderLibrary& library,
+                                           const RenderOptions& options, const LightSet& lights) {
+    auto lighting =
+        options.specularTable
+            ? std::make_unique<LightingPass>(gl, library, *options.specularTable, options.model)
+            : std::make_unique<LightingPass>(gl, library, options.model);
+    lighting->setLights(lights);
+    lighting->setLobes(options.lobes);
     return lighting;
+}
+
+/// The options with what follows the scene.
+RenderOptions completeOptions(const RenderOptions& options, const scene::Scene& scene) {
+    RenderOptions complete = options;
+    complete.model.sheen = scene.hasSheen();
+    return complete;
 }
 
 gl::Framebuffer makeTarget(const gl::Functions& gl, const gl::Texture& color,
@@ -33,28 +40,82 @@ gl::Framebuffer makeTarget(const gl::Functions& gl, const gl::Texture& color,
 
 }  // namespace
 
+FrameRenderer::Targets::Targets(const gl::Functions& gl, glm::ivec2 size, bool withSheen)
+    : gbuffer(gl, size, withSheen),
+      radiance(gl, GL_RGBA32F, size, 1, "radiance of a frame"),
+      sum(gl, GL_RGBA32F, size, 1, "sum of frames"),
+      frame(makeTarget(gl, radiance, &gbuffer.depth(), "frame")),
+      sumTarget(makeTarget(gl, sum, nullptr, "sum")) {}
+
 FrameRenderer::FrameRenderer(const gl::Functions& gl, const gl::ShaderLibrary& library,
                              const scene::Scene& scene, const scene::Camera& camera,
                              const RenderOptions& options)
     : gl_(gl),
+      library_(library),
       camera_(camera),
-      options_(options),
-      lighting_(makeLighting(gl, library, scene, options)),
+      options_(completeOptions(options, scene)),
+      lights_(lightsOf(scene, options)),
+      lighting_(makeLighting(gl, library, options_, lights_)),
       gpuScene_(gl, scene),
-      gbuffer_(gl, options.size, lighting_.model().sheen),
-      radiance_(gl, GL_RGBA32F, options.size, 1, "radiance of a frame"),
-      sum_(gl, GL_RGBA32F, options.size, 1, "sum of frames"),
-      frameTarget_(makeTarget(gl, radiance_, &gbuffer_.depth(), "frame")),
-      sumTarget_(makeTarget(gl, sum_, nullptr, "sum")),
+      targets_(std::make_unique<Targets>(gl, options.size, options_.model.sheen)),
       accumulateProgram_(gl, library, "passes/fullscreen.vert", "passes/accumulate.frag", {},
                          "accumulate"),
       noVertices_(gl, "no vertices"),
       cameraBlock_(gl, gl::bytesOf(cameraData_), GL_DYNAMIC_STORAGE_BIT, "camera"),
-      geometry_(gl, library, gpuScene_, gbuffer_),
-      emitters_(gl, library, lighting_),
-      blend_(gl, library, gpuScene_, lighting_, camera) {
-    const float zero[4] = {};
-    gl_.ClearNamedFramebufferfv(sumTarget_.name(), GL_COLOR, 0, zero);
+      geometry_(gl, library, gpuScene_, targets_->gbuffer),
+      emitters_(std::make_unique<EmitterPass>(gl, library, *lighting_)),
+      blend_(std::make_unique<BlendPass>(gl, library, gpuScene_, *lighting_, camera)) {
+    clearSum();
+}
+
+void FrameRenderer::setCamera(const scene::Camera& camera) {
+    camera_ = camera;
+    blend_->sortFor(camera_);
+}
+
+void FrameRenderer::setSize(glm::ivec2 size) {
+    if (size == options_.size) return clearSum();
+    auto targets = std::make_unique<Targets>(gl_, size, options_.model.sheen);
+    targets_ = std::move(targets);
+    options_.size = size;
+    clearSum();
+}
+
+void FrameRenderer::setLights(const LightSet& lights) {
+    lighting_->setLights(lights);
+    lights_ = lights;
+    emitters_->updateLights();
+    blend_->updateLights();
+}
+
+void FrameRenderer::setLobes(Lobes lobes) {
+    options_.lobes = lobes;
+    lighting_->setLobes(lobes);
+}
+
+void FrameRenderer::setModel(const LightingModel& model) {
+    RenderOptions options = options_;
+    options.model = model;
+    options.model.sheen = options_.model.sheen;
+    if (options.model == options_.model) return;
+    auto lighting = makeLighting(gl_, library_, options, lights_);
+    auto emitters = std::make_unique<EmitterPass>(gl_, library_, *lighting);
+    blend_ = std::make_unique<BlendPass>(gl_, library_, gpuScene_, *lighting, camera_);
+    emitters_ = std::move(emitters);
+    lighting_ = std::move(lighting);
+    options_ = options;
+}
+
+void FrameRenderer::setBackground(const std::optional<glm::vec3>& background) {
+    options_.background = background;
+}
+
+void FrameRenderer::setHideLights(bool hideLights) {
+    options_.hideLights = hideLights;
+}
+
+void FrameRenderer::updateMaterials() {
+    gpuScene_.updateMaterials();
 }
 
 void FrameRenderer::drawGBuffer(glm::dvec2 samplePosition) {
@@ -62,30 +123,46 @@ void FrameRenderer::drawGBuffer(glm::dvec2 samplePosition) {
     cameraBlock_.update(gl::bytesOf(cameraData_));
     gl_.BindBufferBase(GL_UNIFORM_BUFFER, shared::kCameraBinding, cameraBlock_.name());
 
-    gbuffer_.begin();
-    geometry_.draw();
-    if (!options_.hideLights) emitters_.draw();
+    {
+        const PassClock::Scope scope(clock_, "geometry");
+        targets_->gbuffer.begin();
+        geometry_.draw();
+    }
+    if (options_.hideLights) return;
+    const PassClock::Scope scope(clock_, "emitters");
+    emitters_->draw();
 }
 
 void FrameRenderer::drawFrame(glm::dvec2 samplePosition) {
     drawGBuffer(samplePosition);
-    frameTarget_.bind();
+    targets_->frame.bind();
     const glm::vec4 background =
         options_.background ? glm::vec4(*options_.background, 1.0f) : glm::vec4(0.0f);
-    gl_.ClearNamedFramebufferfv(frameTarget_.name(), GL_COLOR, 0, &background[0]);
-    lighting_.draw(gbuffer_.textureNames());
-    blend_.draw();
+    gl_.ClearNamedFramebufferfv(targets_->frame.name(), GL_COLOR, 0, &background[0]);
+    {
+        const PassClock::Scope scope(clock_, "lighting");
+        lighting_->draw(targets_->gbuffer.textureNames());
+    }
+    const PassClock::Scope scope(clock_, "transparent");
+    blend_->draw();
+}
+
+void FrameRenderer::clearSum() {
+    gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl_.Disable(GL_SCISSOR_TEST);
+    const float zero[4] = {};
+    gl_.ClearNamedFramebufferfv(targets_->sumTarget.name(), GL_COLOR, 0, zero);
 }
 
 void FrameRenderer::accumulate() {
-    sumTarget_.bind();
+    targets_->sumTarget.bind();
     gl_.Disable(GL_DEPTH_TEST);
     gl_.Disable(GL_CULL_FACE);
     gl_.Enable(GL_BLEND);
     gl_.BlendEquation(GL_FUNC_ADD);
     gl_.BlendFunc(GL_ONE, GL_ONE);
     accumulateProgram_.use();
-    gl_.BindTextureUnit(0, radiance_.name());
+    gl_.BindTextureUnit(0, targets_->radiance.name());
     gl_.BindSampler(0, 0);
     gl_.BindVertexArray(noVertices_.name());
     gl_.DrawArrays(GL_TRIANGLES, 0, 3);
@@ -98,7 +175,7 @@ FloatImage FrameRenderer::readMean(int frameCount) const {
     image.channelNames = {"R", "G", "B", "A"};
     const std::size_t rowLength = static_cast<std::size_t>(image.width) * 4;
     image.pixels.resize(rowLength * image.height);
-    sum_.read(GL_RGBA, GL_FLOAT, std::as_writable_bytes(std::span(image.pixels)));
+    targets_->sum.read(GL_RGBA, GL_FLOAT, std::as_writable_bytes(std::span(image.pixels)));
     for (int y = 0; y < image.height / 2; ++y) {
         std::swap_ranges(image.pixel(0, y), image.pixel(0, y) + rowLength,
                          image.pixel(0, image.height - 1 - y));

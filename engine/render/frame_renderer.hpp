@@ -3,24 +3,43 @@
 
 #pragma once
 
-#include "context/context.hpp"
+#include <memory>
+
 #include "render/blend_pass.hpp"
 #include "render/emitter_pass.hpp"
 #include "render/gbuffer.hpp"
 #include "render/geometry_pass.hpp"
 #include "render/gpu_scene.hpp"
+#include "render/pass_clock.hpp"
 #include "render/renderer.hpp"
 #include "shared/camera_data.h"
 
 namespace polylume {
 
-/// Everything that one picture needs on the GPU, and its passes in their order.
+/// Everything that pictures of one scene need on the GPU, and their passes in their order. Camera,
+/// size, lights and all else but the scene's shapes can change from frame to frame.
 class FrameRenderer {
   public:
-    /// Keeps references to all but `options`.
+    /// Keeps references to the first three.
     FrameRenderer(const gl::Functions& gl, const gl::ShaderLibrary& library,
                   const scene::Scene& scene, const scene::Camera& camera,
                   const RenderOptions& options);
+
+    void setCamera(const scene::Camera& camera);
+    /// Clears the sum.
+    void setSize(glm::ivec2 size);
+    /// Puts `lights` in place of the scene's and those of the options. Throws Error as
+    /// LightingPass::setLights() does, and leaves the old ones.
+    void setLights(const LightSet& lights);
+    void setLobes(Lobes lobes);
+    /// Whether it has sheen follows the scene. Throws ShaderError, and leaves the old one.
+    void setModel(const LightingModel& model);
+    void setBackground(const std::optional<glm::vec3>& background);
+    void setHideLights(bool hideLights);
+    /// Takes over materials of the scene that were changed, and textures that were added.
+    void updateMaterials();
+    /// Times the passes "geometry", "emitters", "lighting" and "transparent"; null: none.
+    void setClock(PassClock* clock) { clock_ = clock; }
 
     /// Draws one frame whose pixels are sampled at `samplePosition`: G-buffer, lighting,
     /// transparent surfaces.
@@ -29,31 +48,46 @@ class FrameRenderer {
     void drawGBuffer(glm::dvec2 samplePosition);
     /// Adds the last frame to the sum.
     void accumulate();
+    void clearSum();
     /// The sum's mean over `frameCount` frames: R, G, B, A, rows from the top.
     FloatImage readMean(int frameCount) const;
 
-    const GBuffer& gbuffer() const { return gbuffer_; }
+    /// The sum of frames, rows from the bottom.
+    const gl::Texture& sum() const { return targets_->sum; }
+    const GBuffer& gbuffer() const { return targets_->gbuffer; }
     const shared::CameraData& cameraData() const { return cameraData_; }
-    LightingPass& lighting() { return lighting_; }
+    glm::ivec2 size() const { return options_.size; }
+    LightingPass& lighting() { return *lighting_; }
+    const LightingPass& lighting() const { return *lighting_; }
 
   private:
+    /// What depends on the picture's size.
+    struct Targets {
+        GBuffer gbuffer;
+        gl::Texture radiance;
+        gl::Texture sum;
+        gl::Framebuffer frame;      ///< Over `radiance` and the G-buffer's depth.
+        gl::Framebuffer sumTarget;  ///< Over `sum`.
+
+        Targets(const gl::Functions& gl, glm::ivec2 size, bool withSheen);
+    };
+
     const gl::Functions& gl_;
-    const scene::Camera& camera_;
+    const gl::ShaderLibrary& library_;
+    scene::Camera camera_;
     RenderOptions options_;
-    LightingPass lighting_;
+    LightSet lights_;
+    std::unique_ptr<LightingPass> lighting_;
     GpuScene gpuScene_;
-    GBuffer gbuffer_;
-    gl::Texture radiance_;
-    gl::Texture sum_;
-    gl::Framebuffer frameTarget_;
-    gl::Framebuffer sumTarget_;
+    std::unique_ptr<Targets> targets_;
     gl::Program accumulateProgram_;
     gl::VertexArray noVertices_;
     shared::CameraData cameraData_{};  ///< Before the block, which is made from it.
     gl::Buffer cameraBlock_;
     GeometryPass geometry_;
-    EmitterPass emitters_;
-    BlendPass blend_;
+    std::unique_ptr<EmitterPass> emitters_;
+    std::unique_ptr<BlendPass> blend_;
+    PassClock* clock_ = nullptr;
 };
 
 }  // namespace polylume

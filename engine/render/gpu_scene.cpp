@@ -105,8 +105,14 @@ void GpuScene::bindInstance(int index) const {
     }
 }
 
+void GpuScene::updateMaterials() {
+    uploadTextures();
+    uploadMaterials();
+}
+
 void GpuScene::uploadTextures() {
-    for (const scene::Texture& texture : scene_.textures) {
+    for (std::size_t i = textures_.size(); i < scene_.textures.size(); ++i) {
+        const scene::Texture& texture = scene_.textures[i];
         const PixelImage& image = scene_.images[static_cast<std::size_t>(texture.image)];
         const bool withMips = texture.sampler.mipFilter != scene::MipFilter::none;
         textures_.push_back(uploadTexture(gl_, image, texture.colorSpace, withMips));

@@ -45,6 +45,9 @@ class GpuScene {
     const GpuMesh& mesh(int index) const { return meshes_[static_cast<std::size_t>(index)]; }
     const scene::Material& materialOf(const scene::Instance& instance) const;
 
+    /// Takes over materials that were changed, and textures that were added.
+    void updateMaterials();
+
     /// Sets the state that drawing any of its meshes needs, before the first of them.
     void beginDrawing() const;
     /// Binds block and textures of material `index`.

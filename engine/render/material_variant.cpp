@@ -52,6 +52,11 @@ MaterialPrograms::MaterialPrograms(const gl::Functions& gl, const gl::ShaderLibr
       fragmentPath_(std::move(fragmentPath)),
       extraDefines_(std::move(extraDefines)) {}
 
+void MaterialPrograms::setDefines(std::vector<std::string> extraDefines) {
+    extraDefines_ = std::move(extraDefines);
+    programs_.clear();
+}
+
 const gl::Program& MaterialPrograms::get(unsigned variant) {
     gl::Program& program = programs_[variant];
     if (program.isEmpty()) {

@@ -33,6 +33,8 @@ class MaterialPrograms {
                      std::string fragmentPath, std::vector<std::string> extraDefines = {});
 
     const gl::Program& get(unsigned variant);
+    /// Puts `extraDefines` in the place of those before; programs are made anew when asked for.
+    void setDefines(std::vector<std::string> extraDefines);
 
   private:
     const gl::Functions& gl_;

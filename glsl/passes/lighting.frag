@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Polylume authors
 // SPDX-License-Identifier: MIT
 
-#include "lighting/shade.glsl"
-#include "surface/gbuffer_read.glsl"
+#include "lighting/picture.glsl"
 
 layout(location = 0) out vec4 outRadiance;
 
-void main() { outRadiance = vec4(shadeSurface(readGBuffer(ivec2(gl_FragCoord.xy))), 1.0); }
+void main() {
+    Surface surface;
+    if (!readPixel(ivec2(gl_FragCoord.xy), surface)) discard;
+    outRadiance = vec4(shadeSurface(surface), 1.0);
+}

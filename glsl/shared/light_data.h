@@ -15,6 +15,7 @@ const uint kPunctualBinding = 3;
 const uint kEllipseBinding = 4;
 const uint kSphereBinding = 5;
 const uint kTubeBinding = 6;
+const uint kStorageBindingCount = 8;  // With kLightTextureBinding (shared/light_texture_data.h).
 const uint kPolygonVertexUnit = 9;
 const uint kSpecularTableUnit = 10;
 const uint kDiffuseTableUnit = 11;

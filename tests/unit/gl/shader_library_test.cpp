@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 
@@ -58,6 +59,34 @@ TEST(ShaderLibraryTest, missingOverrideFolderIsAnError) {
     EXPECT_THROW(ShaderLibrary("no such folder"), Error);
 }
 
+TEST(ShaderLibraryTest, aGivenFileTakesTheOthersPlaceUnderItsOwnName) {
+    ShaderLibrary library;
+    library.setFile("surface/read_surface.glsl", "first line\n", "given");
+    library.setFile("surface/read_surface.glsl", "second line\n#include \"nowhere.glsl\"\n",
+                    "given");
+    library.setFile("nowhere.glsl", "// found\n", "other");
+    const ShaderSource source = library.expand("passes/lighting.frag");
+    EXPECT_EQ(source.text.find("first line"), std::string::npos);
+    EXPECT_EQ(source.text.find("readGBuffer(ivec2"), std::string::npos);
+    EXPECT_NE(source.text.find("second line"), std::string::npos);
+    const auto given = std::ranges::find(source.files, "given");
+    ASSERT_NE(given, source.files.end());
+    const auto place = std::to_string((given - source.files.begin()) * 100'000 + 7);
+    EXPECT_EQ(nameFiles("0:" + place + "(2): error: x", source.files), "given:7(2): error: x\n");
+    EXPECT_NE(ShaderLibrary().expand("passes/lighting.frag").text.find("readGBuffer(ivec2"),
+              std::string::npos)
+        << "another library has its own";
+}
+
+TEST(ShaderLibraryTest, extensionsComeFirst) {
+    ShaderLibrary library;
+    library.setFile("a.glsl", "int one;\n  # extension GL_A : enable\nint three;\n", "given");
+    const std::vector<std::string> defines = {"B"};
+    EXPECT_EQ(library.expand("a.glsl", defines).text,
+              "#version 450 core\n#line 2\n  # extension GL_A : enable\n#define B\n#line 1\n"
+              "int one;\n\nint three;\n");
+}
+
 TEST(NameFilesTest, understandsTheLogsOfSeveralCompilers) {
     const std::vector<std::string> files = {"a.frag", "b.glsl"};
     EXPECT_EQ(nameFiles("0:100012(5): error: x", files), "b.glsl:12(5): error: x\n");
@@ -81,10 +110,12 @@ std::string validate(const std::string& path, const std::vector<std::string>& de
 }
 
 TEST(GlslValidationTest, everyEntryPointIsValid) {
-    std::vector<std::string> paths = ShaderLibrary::paths(".frag");
-    const std::vector<std::string> vertexPaths = ShaderLibrary::paths(".vert");
-    paths.insert(paths.end(), vertexPaths.begin(), vertexPaths.end());
-    EXPECT_GE(paths.size(), 7u);
+    std::vector<std::string> paths;
+    for (const char* stage : {".frag", ".vert", ".comp"}) {
+        const std::vector<std::string> ofStage = ShaderLibrary::paths(stage);
+        EXPECT_FALSE(ofStage.empty()) << stage;
+        paths.insert(paths.end(), ofStage.begin(), ofStage.end());
+    }
     for (const std::string& path : paths) EXPECT_EQ(validate(path, {}), "") << path;
 }
 
@@ -104,6 +135,17 @@ TEST(GlslValidationTest, everyLightVariantIsValid) {
         EXPECT_EQ(validate("passes/lighting.frag", {lights}), "") << lights;
     }
     EXPECT_EQ(validate("passes/lighting.frag", kLightDefines), "");
+}
+
+TEST(GlslValidationTest, everyComputeVariantIsValid) {
+    for (const char* format : {"rgba32f", "rgba16f", "r11f_g11f_b10f", "rgba16", "rgba8"}) {
+        std::vector<std::string> defines = kLightDefines;
+        defines.push_back(std::string("POLYLUME_TARGET_FORMAT ") + format);
+        EXPECT_EQ(validate("passes/lighting.comp", defines), "") << format;
+        defines.insert(defines.end(), {"POLYLUME_ADD", "POLYLUME_HOST_SURFACE", "POLYLUME_SHEEN"});
+        EXPECT_EQ(validate("passes/lighting.comp", defines), "") << format;
+    }
+    EXPECT_EQ(validate("passes/lighting.frag", {"POLYLUME_HOST_SURFACE"}), "");
 }
 
 TEST(GlslValidationTest, everyModelVariantIsValid) {

@@ -117,6 +117,119 @@ TEST(LightPackingTest, tubeOfNoLengthIsKept) {
     EXPECT_EQ(packLights({{}, {}, {}, {}, {tube}}).tubes.size(), 1u);
 }
 
+/// A triangle, a square, a line, an L and a second triangle, each of a radiance of its own.
+LightSet makeMixedPolygons() {
+    LightSet lights;
+    PolygonLight triangle = makeSquare();
+    triangle.contours[0].pop_back();
+    PolygonLight line = makeSquare();
+    for (glm::vec3& vertex : line.contours[0]) vertex.y = 0.0f;
+    PolygonLight corner = makeSquare();
+    corner.contours[0].insert(corner.contours[0].begin() + 3, {1, 2, 0});
+    corner.contours[0][2] = {1, 1, 0};
+    lights.polygons = {triangle, makeSquare(), line, corner, triangle};
+    for (std::size_t i = 0; i < lights.polygons.size(); ++i) {
+        lights.polygons[i].radiance = glm::vec3(static_cast<float>(i));
+    }
+    return lights;
+}
+
+TEST(LightPackingTest, placesLeadToEachLight) {
+    const PackedLights packed = packLights(makeMixedPolygons());
+    const std::vector<LightPlace>& places = packed.places.polygons;
+    ASSERT_EQ(places.size(), 5u);
+    EXPECT_EQ(places[0].kind, LightKind::triangle);
+    EXPECT_EQ(packed.polygons[places[0].slot].radiance.x, 0.0f);
+    EXPECT_EQ(places[1].kind, LightKind::parallelogram);
+    EXPECT_EQ(packed.parallelograms[places[1].slot].radiance.x, 1.0f);
+    EXPECT_EQ(places[2].kind, LightKind::none);
+    EXPECT_EQ(places[3].kind, LightKind::polygon);
+    EXPECT_EQ(packed.polygons[places[3].slot].radiance.x, 3.0f);
+    EXPECT_EQ(places[4].kind, LightKind::triangle);
+    EXPECT_EQ(packed.polygons[places[4].slot].radiance.x, 4.0f);
+}
+
+TEST(LightPackingTest, aLightIsPackedOverAnother) {
+    LightSet lights = makeMixedPolygons();
+    PackedLights packed = packLights(lights);
+    for (PolygonLight& light : lights.polygons) {
+        for (glm::vec3& vertex : light.contours[0]) vertex = {vertex.y, 3.0f, 2.0f * vertex.x};
+        light.radiance *= 2.0f;
+        light.twoSided = true;
+    }
+    const PackedLights wanted = packLights(lights);
+    for (std::size_t i = 0; i < lights.polygons.size(); ++i) {
+        packLight(lights.polygons[i], packed.places.polygons[i], packed);
+    }
+    EXPECT_EQ(packed.polygonVertices, wanted.polygonVertices);
+    for (std::size_t i = 0; i < wanted.polygons.size(); ++i) {
+        EXPECT_EQ(packed.polygons[i].vertices, wanted.polygons[i].vertices);
+        EXPECT_EQ(packed.polygons[i].plane, wanted.polygons[i].plane);
+        EXPECT_EQ(packed.polygons[i].radiance, wanted.polygons[i].radiance);
+    }
+    EXPECT_EQ(packed.parallelograms[0].corner, wanted.parallelograms[0].corner);
+    EXPECT_EQ(packed.parallelograms[0].edgeY, wanted.parallelograms[0].edgeY);
+    EXPECT_EQ(packed.parallelograms[0].normal, wanted.parallelograms[0].normal);
+}
+
+TEST(LightPackingTest, farLightsScaleAllDown) {
+    LightSet lights = makeMixedPolygons();
+    PackedLights packed = packLights(lights);
+    EXPECT_EQ(packed.flatScale, 1.0f);
+    packLight(makeSquare({4e9f, 0, 0}), packed.places.polygons[1], packed);
+    EXPECT_FLOAT_EQ(packed.flatScale, 0.25f);
+    packLight(makeSquare(), packed.places.polygons[1], packed);
+    EXPECT_FLOAT_EQ(packed.flatScale, 0.25f) << "it only falls";
+}
+
+/// An image upright on the square or on half of it.
+PolygonLight makeFilm(bool isParallelogram) {
+    PolygonLight light = makeSquare();
+    if (!isParallelogram) light.contours[0].pop_back();
+    auto image = std::make_shared<LightImage>();
+    image->size = {2, 2};
+    image->texels.assign(4, glm::vec3(1.0f));
+    light.texture = LightTexture{image, {0, 2, 0}, {2, 0, 0}, {0, -2, 0}};
+    return light;
+}
+
+TEST(LightTextureFrameTest, aFrameMovesWithItsLight) {
+    for (const bool isParallelogram : {true, false}) {
+        const PolygonLight light = makeFilm(isParallelogram);
+        const LightTextureFrame frame = lightTextureFrame(light, isParallelogram);
+        const auto moved = [&](const PolygonLight& other) {
+            return movedFrame(other, isParallelogram, frame, *light.texture);
+        };
+        // By a turn about x and a step.
+        PolygonLight turned = light;
+        const auto turn = [](const glm::vec3& v) { return glm::vec3(v.x, -v.z, v.y); };
+        const glm::vec3 step(1000.25f, 0.0f, -7.0f);
+        for (glm::vec3& vertex : turned.contours[0]) vertex = turn(vertex) + step;
+        turned.texture->origin = turn(turned.texture->origin) + step;
+        turned.texture->axisU = turn(turned.texture->axisU);
+        turned.texture->axisV = turn(turned.texture->axisV);
+        turned.texture->image = nullptr;
+        const auto edges = moved(turned);
+        ASSERT_TRUE(edges.has_value());
+        EXPECT_LT(glm::distance(edges->corner, glm::dvec3(turn(frame.corner) + step)), 1e-3);
+        EXPECT_LT(glm::distance(edges->edgeX, glm::dvec3(turn(frame.edgeX))), 1e-3);
+        EXPECT_LT(glm::distance(edges->edgeY, glm::dvec3(turn(frame.edgeY))), 1e-3);
+
+        const auto changes = [&](const auto& change) {
+            PolygonLight other = light;
+            change(other);
+            return !moved(other).has_value();
+        };
+        EXPECT_FALSE(changes([](PolygonLight&) {}));
+        EXPECT_TRUE(changes([](PolygonLight& l) { l.texture->origin.x += 0.01f; }));
+        EXPECT_TRUE(changes([](PolygonLight& l) { l.texture->axisU *= 1.01f; }));
+        EXPECT_TRUE(changes([](PolygonLight& l) { l.texture->wrapV = TextureWrap::repeat; }));
+        EXPECT_TRUE(changes([](PolygonLight& l) {
+            for (glm::vec3& vertex : l.contours[0]) vertex *= 0.9f;
+        }));
+    }
+}
+
 TEST(LightPackingTest, badLightsAreRefused) {
     EXPECT_THROW(packLights({{PolygonLight{}}, {}}), Error);
 }

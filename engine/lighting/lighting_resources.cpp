@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The Polylume authors
+// SPDX-License-Identifier: MIT
+
+#include "lighting/lighting_resources.hpp"
+
+#include <utility>
+
+#include "core/text.hpp"
+#include "lights/texture_check.hpp"
+#include "polylume/error.hpp"
+
+namespace polylume {
+namespace {
+
+/// The shaders read the vertices of polygons as texels, of which a driver has a limit.
+void checkVertexCount(const gl::Functions& gl, std::size_t count) {
+    GLint most = 0;
+    gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+    if (count <= static_cast<std::size_t>(most)) return;
+    throw Error(concat("expected all polygon lights together to have at most ", most,
+                       " vertices, which is this driver's limit, found ", count,
+                       ": leave out vertices or lights"));
+}
+
+/// Tells the packed lights where their images are. Returns what textured polygons have of their
+/// own.
+std::vector<shared::LightTextureData> placeImages(const std::vector<TexturedLight>& lights,
+                                                  PackedLights& packed) {
+    const std::size_t first = packed.parallelograms.size() - packed.texturedParallelogramCount;
+    std::vector<shared::LightTextureData> textures;
+    for (std::size_t layer = 0; layer < lights.size(); ++layer) {
+        const LightTextureFrame& frame = lights[layer].frame;
+        const auto layerNumber = static_cast<float>(layer);
+        const glm::vec2 texels(frame.size);
+        if (layer < packed.texturedParallelogramCount) {
+            shared::ParallelogramData& data = packed.parallelograms[first + layer];
+            data.normal.w = layerNumber;
+            data.edgeX.w = texels.x;
+            data.radiance.w = texels.y;
+            continue;
+        }
+        textures.push_back({glm::vec4(frame.corner, layerNumber), glm::vec4(frame.edgeX, texels.x),
+                            glm::vec4(frame.edgeY, texels.y),
+                            glm::vec4(frame.center, 1.0 / frame.variance)});
+    }
+    return textures;
+}
+
+}  // namespace
+
+LightingResources::LightingResources(const gl::Functions& gl, const gl::ShaderLibrary& library,
+                                     const LightingModel& model, const ltc::Table* specularTable)
+    : gl_(gl),
+      library_(library),
+      model_(model),
+      tables_(gl, model, specularTable),
+      settings_(gl, gl::bytesOf(shared::LightingData{}), GL_DYNAMIC_STORAGE_BIT,
+                "lighting settings") {
+    use(prepare({}));
+}
+
+PreparedLights LightingResources::prepare(LightSet lights) {
+    PreparedLights prepared;
+    prepared.packed = packLights(lights);
+    PackedLights& packed = prepared.packed;
+    checkVertexCount(gl_, packed.polygonVertices.size());
+    if (!packed.texturedLights.empty() && !imagePrograms_) {
+        imagePrograms_ = std::make_shared<LightImagePrograms>(gl_, library_);
+    }
+    prepared.images = LightTextureArray(gl_, imagePrograms_, std::move(packed.texturedLights));
+    prepared.textures = placeImages(prepared.images.lights(), packed);
+    prepared.buffers = LightBuffers(gl_, packed, prepared.textures);
+    prepared.defines = makeDefines(packed);
+    prepared.lights = std::move(lights);
+    return prepared;
+}
+
+void LightingResources::use(PreparedLights prepared) {
+    inUse_ = std::move(prepared);
+    uploadSettings();
+}
+
+void LightingResources::setLobes(Lobes lobes) {
+    lobes_ = lobes;
+    uploadSettings();
+}
+
+void LightingResources::bind() const {
+    const GLuint settings = settings_.name();
+    gl_.BindBuffersBase(GL_UNIFORM_BUFFER, shared::kLightingBinding, 1, &settings);
+    inUse_.buffers.bind(gl_);
+    tables_.bind(gl_);
+    if (!inUse_.images.lights().empty()) inUse_.images.bind(shared::kLightImageUnit);
+}
+
+std::size_t LightingResources::layerOf(const LightPlace& place) const {
+    const PackedLights& packed = inUse_.packed;
+    if (place.kind == LightKind::texturedParallelogram) {
+        return place.slot - (packed.parallelograms.size() - packed.texturedParallelogramCount);
+    }
+    return packed.texturedParallelogramCount + place.slot -
+           (packed.polygons.size() - packed.texturedPolygonCount);
+}
+
+std::size_t LightingResources::imageLayer(std::size_t polygon) const {
+    const std::vector<LightPlace>& places = inUse_.packed.places.polygons;
+    if (polygon >= places.size()) {
+        throw Error(concat("expected the index of a polygon light of the last setLights(), below ",
+                           places.size(), ", found ", polygon));
+    }
+    const LightPlace& place = places[polygon];
+    if (place.kind == LightKind::texturedParallelogram ||
+        place.kind == LightKind::texturedPolygon) {
+        return layerOf(place);
+    }
+    throw Error(concat("expected polygon light ", polygon,
+                       " to have a texture and an area, found none; give it a texture in "
+                       "setLights() first"));
+}
+
+void LightingResources::updateLightTexture(std::size_t polygon, GLuint texture) {
+    inUse_.images.update(imageLayer(polygon), texture);
+}
+
+void LightingResources::updateLightTexture(std::size_t polygon, const LightImage& image) {
+    const std::size_t layer = imageLayer(polygon);
+    checkLightImage(image, polygon);
+    inUse_.images.update(layer, image);
+}
+
+std::vector<std::string> LightingResources::makeDefines(const PackedLights& packed) const {
+    std::vector<std::string> defines;
+    const auto add = [&](bool condition, const char* name) {
+        if (condition) defines.emplace_back(name);
+    };
+    add(packed.parallelograms.size() > packed.texturedParallelogramCount,
+        "POLYLUME_PARALLELOGRAM_LIGHTS");
+    add(packed.triangleCount > 0, "POLYLUME_TRIANGLE_LIGHTS");
+    add(packed.polygons.size() > packed.triangleCount + packed.texturedPolygonCount,
+        "POLYLUME_POLYGON_LIGHTS");
+    add(packed.texturedParallelogramCount > 0, "POLYLUME_TEXTURED_PARALLELOGRAM_LIGHTS");
+    add(packed.texturedPolygonCount > 0, "POLYLUME_TEXTURED_POLYGON_LIGHTS");
+    add(!packed.punctuals.empty(), "POLYLUME_PUNCTUAL_LIGHTS");
+    add(packed.diskCount > 0, "POLYLUME_DISK_LIGHTS");
+    add(packed.ellipses.size() > packed.diskCount, "POLYLUME_ELLIPSE_LIGHTS");
+    add(!packed.spheres.empty(), "POLYLUME_SPHERE_LIGHTS");
+    add(!packed.tubes.empty(), "POLYLUME_TUBE_LIGHTS");
+    add(tables_.specularLobeCount() == 2, "POLYLUME_TWO_LOBES");
+    add(model_.specular == Specular::beckmann, "POLYLUME_SPECULAR_BECKMANN");
+    add(model_.diffuse == Diffuse::burley, "POLYLUME_DIFFUSE_BURLEY");
+    add(model_.diffuse == Diffuse::orenNayar, "POLYLUME_DIFFUSE_OREN_NAYAR");
+    add(model_.sheen, "POLYLUME_SHEEN");
+    return defines;
+}
+
+void LightingResources::uploadSettings() {
+    const PackedLights& packed = inUse_.packed;
+    const LightTextureArray& images = inUse_.images;
+    shared::LightingData data{};
+    data.lightCount = {packed.parallelograms.size() - packed.texturedParallelogramCount,
+                       packed.polygons.size() - packed.texturedPolygonCount,
+                       packed.punctuals.size(), packed.triangleCount};
+    data.texturedLightCount = {packed.texturedParallelogramCount, packed.texturedPolygonCount, 0,
+                               0};
+    data.roundLightCount = {packed.ellipses.size(), packed.spheres.size(), packed.tubes.size(),
+                            packed.diskCount};
+    data.textureScale = {1.0 / images.size(), images.levelCount() - 1, 0, 0};
+    data.lobeWeight = {lobes_ != Lobes::specular, lobes_ != Lobes::diffuse, lobes_ == Lobes::all,
+                       packed.flatScale};
+    data.lobeReferences = tables_.lobeReferences();
+    data.sheenReference = glm::vec4(tables_.sheenReference(), 0.0f, 0.0f);
+    settings_.update(gl::bytesOf(data));
+}
+
+}  // namespace polylume
