@@ -38,10 +38,10 @@ enum class Composition {
 
 /// What is fixed for the life of an AreaLighting.
 struct AreaLightingOptions {
-    LightingModel model;
+    LightingModel model{};
     /// A specular table in the raw float32 form of `tables/*.f32` in place of the built-in one that
     /// `model` names; empty: none. Copied.
-    std::span<const std::byte> specularTable;
+    std::span<const std::byte> specularTable{};
     LightingStage stage = LightingStage::fragment;
     /// GLSL 4.50 that defines
     ///
@@ -49,11 +49,17 @@ struct AreaLightingOptions {
     ///
     /// and whatever it needs: samplers, blocks, functions. It returns false where `pixel` (from the
     /// lower left of the target) shows no surface. `Surface` and metallicRoughnessSurface() are
-    /// there (glsl/surface/), and the block `camera` of the last draw. Free for it are texture
-    /// units 0 to 8, image units from 1, uniform buffer bindings from 8 and storage buffer bindings
-    /// from 8; all that it binds the host binds before draw(). Names that begin with ltc, polylume
-    /// or POLYLUME are ours. Empty: the G-buffer in our layout (GBufferTextureNames) is read.
-    std::string surfaceGlsl;
+    /// there (glsl/surface/), and the block `camera` of this draw (glsl/shared/camera_data.h); more
+    /// of glsl/ by `#include "path"`. Normals and view vectors need not be unit, and one of no
+    /// length is taken for some direction; all values have to be numbers.
+    ///
+    /// Free for it are texture units 0 to 8, image units from 1, uniform buffer bindings from 8 and
+    /// storage buffer bindings from 8; all that it reads the host binds before draw(). What the
+    /// files of glsl/ltc, brdf, lighting, surface and shared declare is there already, and so are
+    /// names that begin with polylume or POLYLUME. Errors are named by its lines, as
+    /// `surfaceGlsl:12(5): error ...`. Empty: the G-buffer in our layout (GBufferTextureNames) is
+    /// read.
+    std::string surfaceGlsl{};
 };
 
 /// A G-buffer in our layout, as names of GL_TEXTURE_2D textures of the same size. Normalised
@@ -72,10 +78,11 @@ struct GBufferTextureNames {
 };
 
 /// Perspective or orthographic, in the middle or not, but with a near plane at right angles to its
-/// axis.
+/// axis. The camera's picture is the frame: (-1, -1) in clip space is its lower left corner.
 struct LightingCamera {
     glm::dmat4 worldFromView{1.0};  ///< Rotation and translation; looks along -z.
-    /// To clip space with depth from 1 near to 0 far; far may be infinite.
+    /// To clip space with depth from 1 near to 0 far; far may be infinite. Where a snippet finds
+    /// positions without depth, depth may be anything.
     glm::dmat4 clipFromView{1.0};
 };
 
@@ -89,11 +96,11 @@ struct LightingTarget {
 
 /// One frame's inputs.
 struct LightingFrame {
-    LightingTarget target;
+    LightingTarget target{};
     glm::ivec2 size{0};  ///< Pixels from the target's lower left that are lit; both above 0.
     Composition composition = Composition::replace;
-    LightingCamera camera;        ///< Needed for our layout; for a snippet, where it reads it.
-    GBufferTextureNames gbuffer;  ///< Unused with AreaLightingOptions::surfaceGlsl.
+    LightingCamera camera{};        ///< Needed for our layout; for a snippet, where it reads it.
+    GBufferTextureNames gbuffer{};  ///< Unused with AreaLightingOptions::surfaceGlsl.
 };
 
 /// Area and punctual lights over a host's own G-buffer, in its own context.
@@ -103,6 +110,11 @@ struct LightingFrame {
 /// used from one thread at a time. All calls leave OpenGL's state as they found it, consume no
 /// OpenGL error of the host, install no callback, start no thread and read no file. The functions
 /// that were found stay in the object, beside the host's own loader.
+///
+/// What OpenGL itself does not let anybody give back: subroutine uniforms, which go with each
+/// change of the program, and a program that the host deleted while it is in use, which goes then.
+/// Queries of the host that are active count our work in, and conditional rendering that has begun
+/// decides over it. GL_FRAMEBUFFER_SRGB and GL_DITHER are the host's, for our drawing, too.
 class POLYLUME_API AreaLighting {
   public:
     /// Loads functions, uploads the tables. Throws ContextError where there is no current context
@@ -121,9 +133,11 @@ class POLYLUME_API AreaLighting {
     /// Replace lights from index `first` of LightSet::polygons and so on of the last setLights(),
     /// at a cost that goes with their number alone. Nothing is allocated as long as each light
     /// keeps its kind: the number of vertices of each contour, whether it is a parallelogram or a
-    /// disk, whether it has a texture (whose image is kept: updateLightTexture() replaces it),
-    /// whether it has an area. Otherwise the whole set is taken over anew. Throw Error as
-    /// setLights(), or where there are no such lights, and change nothing then.
+    /// disk, whether it has a texture, how that lies on it, and whether it has an area. Otherwise
+    /// the whole set is taken over anew by setLights(). The image of a texture that was there
+    /// stays, that of the update is not looked at and may be null: updateLightTexture() replaces
+    /// images, until the next setLights(). Throw Error as setLights(), or where there are no such
+    /// lights, and change nothing then.
     void updatePolygons(std::size_t first, std::span<const PolygonLight> lights);
     void updateEllipses(std::size_t first, std::span<const EllipseLight> lights);
     void updateSpheres(std::size_t first, std::span<const SphereLight> lights);
@@ -146,7 +160,8 @@ class POLYLUME_API AreaLighting {
     void draw(const LightingFrame& frame);
 
     /// The program of the last draw, for glProgramUniform*() on uniforms of the host's snippet; 0
-    /// before the first. Another after setLights() with other kinds of lights.
+    /// before the first. Another after setLights() with other kinds of lights, and with a format or
+    /// (compute) composition that it was not compiled for: compare it after each draw().
     std::uint32_t program() const;
 
     /// What the GPU spent on the latest draw() that it has finished, in seconds, by timestamps;

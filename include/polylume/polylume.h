@@ -6,7 +6,7 @@
  *
  * Every call returns a polylume_result. After one that is not POLYLUME_OK, polylume_last_error()
  * has the message. No exception leaves the library. Matrices are column by column, vectors x, y, z;
- * units are metres, nits and radians. */
+ * units are metres, nits and radians. What a call is given is copied: nothing has to outlive it. */
 
 #ifndef POLYLUME_H
 #define POLYLUME_H
@@ -79,7 +79,8 @@ typedef struct polylume_options {
     size_t specular_table_size; /* Bytes. */
 } polylume_options;
 
-/* LightTexture. */
+/* LightTexture. An update keeps the image that a light has, and then neither reads its size nor its
+ * texels. */
 typedef struct polylume_light_texture {
     int width, height;
     const float* texels; /* width * height * 3 linear factors, rows from the top; copied. */
@@ -90,7 +91,7 @@ typedef struct polylume_light_texture {
 /* PolygonLight. */
 typedef struct polylume_polygon_light {
     const float* vertices; /* x, y, z of all contours' vertices, one contour after the other. */
-    const uint32_t* contour_sizes; /* How many vertices each contour has. */
+    const uint32_t* contour_sizes; /* How many vertices each contour has, the outline first. */
     uint32_t contour_count;
     float radiance[3];
     int two_sided;
@@ -148,7 +149,7 @@ typedef struct polylume_gbuffer {
     uint32_t normal, diffuse_roughness, specular, emission, depth, sheen;
 } polylume_gbuffer;
 
-/* LightingFrame. */
+/* LightingFrame. With a snippet that does not read the camera its matrices may be zeros. */
 typedef struct polylume_frame {
     uint32_t target_texture;     /* 0: target_framebuffer counts. */
     uint32_t target_framebuffer; /* 0: the default one. */
@@ -169,15 +170,20 @@ POLYLUME_API const char* polylume_version(void);
  * next call. */
 POLYLUME_API const char* polylume_last_error(void);
 
-/* `options` may be NULL. On failure *lighting is NULL. */
+/* Asks for OpenGL's functions in this call only. `options` may be NULL. On failure *lighting is
+ * NULL. */
 POLYLUME_API polylume_result polylume_lighting_create(polylume_get_proc_address get_proc_address,
                                                       void* user, const polylume_options* options,
                                                       polylume_lighting** lighting);
 /* NULL does nothing. */
 POLYLUME_API void polylume_lighting_destroy(polylume_lighting* lighting);
 
+/* Takes over all lights. On failure those stay that were there. */
 POLYLUME_API polylume_result polylume_lighting_set_lights(polylume_lighting* lighting,
                                                           const polylume_light_set* lights);
+/* Replace `count` lights from index `first` of the lists that the last set_lights() was given, at a
+ * cost that goes with their number alone and without allocation as long as each keeps its kind. On
+ * failure nothing changes. */
 POLYLUME_API polylume_result polylume_lighting_update_polygons(polylume_lighting* lighting,
                                                                size_t first,
                                                                const polylume_polygon_light* lights,
@@ -196,11 +202,14 @@ POLYLUME_API polylume_result polylume_lighting_update_tubes(polylume_lighting* l
                                                             size_t count);
 POLYLUME_API polylume_result polylume_lighting_update_punctuals(
     polylume_lighting* lighting, size_t first, const polylume_punctual_light* lights, size_t count);
+/* Takes a new image for the texture of a polygon light from level 0 of a GL_TEXTURE_2D. */
 POLYLUME_API polylume_result polylume_lighting_update_light_texture(polylume_lighting* lighting,
                                                                     size_t polygon,
                                                                     uint32_t texture);
+/* POLYLUME_LOBES_ALL at first. */
 POLYLUME_API polylume_result polylume_lighting_set_lobes(polylume_lighting* lighting,
                                                          polylume_lobes lobes);
+/* Lights one frame, and leaves OpenGL's state as it was but for the target's pixels. */
 POLYLUME_API polylume_result polylume_lighting_draw(polylume_lighting* lighting,
                                                     const polylume_frame* frame);
 
