@@ -3,6 +3,7 @@
 
 #include "scene/emissive_lights.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -183,6 +184,17 @@ class EmissiveLights {
 }  // namespace
 
 void addEmissiveLights(Scene& scene) {
+    const bool hasThem = std::ranges::any_of(scene.areaLights, [](const AreaLight& light) {
+        const auto* flat = std::get_if<PolygonLight>(&light.shape);
+        return flat != nullptr && flat->shownBySurface;
+    });
+    if (hasThem) {
+        log(LogLevel::warning,
+            concat(scene.name,
+                   ": its emissive surfaces have lights in the file (shownBySurface) already; "
+                   "no others are made of them"));
+        return;
+    }
     EmissiveLights(scene).add();
 }
 

@@ -110,7 +110,11 @@ void completeModel(const json& document, tinygltf::Model& model) {
 }  // namespace
 
 GltfDocument GltfDocument::load(const std::filesystem::path& path) {
-    const std::vector<std::byte> file = readFile(path);
+    return parse(readFile(path), path);
+}
+
+GltfDocument GltfDocument::parse(std::span<const std::byte> file,
+                                 const std::filesystem::path& path) {
     GltfDocument document;
     document.fileName_ = path.filename().string();
     document.folder_ = path.parent_path();

@@ -23,6 +23,9 @@ class GltfDocument {
     /// Reads .gltf or .glb, told apart by content. Throws Error that names the file and the place.
     static GltfDocument load(const std::filesystem::path& path);
 
+    /// The same of a file whose bytes are read already.
+    static GltfDocument parse(std::span<const std::byte> file, const std::filesystem::path& path);
+
     const tinygltf::Model& model() const { return model_; }
     const std::string& fileName() const { return fileName_; }
     /// Where URIs of the file start from.
@@ -31,6 +34,11 @@ class GltfDocument {
     /// "room.gltf: meshes[2].primitives[0]": where an error message points to.
     template <typename... Parts>
     std::string place(const Parts&... parts) const;
+
+    /// The bytes of a buffer, as many as the file says it has.
+    std::span<const std::byte> bufferBytes(int buffer) const {
+        return buffers_[static_cast<std::size_t>(buffer)];
+    }
 
     /// The bytes of a buffer view; throws Error where they reach past the buffer's end.
     std::span<const std::byte> viewBytes(int bufferView) const;

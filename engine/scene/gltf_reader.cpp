@@ -31,6 +31,18 @@ void checkExtent(const Scene& scene) {
                        " (", scene.name, ")"));
 }
 
+/// Where lights stand in for the emissive surfaces that show them, no emission counts twice.
+void markEmissionOfLights(Scene& scene) {
+    const bool isAnyShown = std::ranges::any_of(scene.areaLights, [](const AreaLight& light) {
+        const auto* flat = std::get_if<PolygonLight>(&light.shape);
+        return flat != nullptr && flat->shownBySurface;
+    });
+    for (Material& material : scene.materials) {
+        material.emissionIsLight =
+            isAnyShown && !material.unlit && material.emissiveFactor != glm::vec3(0.0f);
+    }
+}
+
 void addLightsAndCamera(const GltfDocument& document, const NodeGraph& graph, int node,
                         LightReader& lights, Scene& scene) {
     if (document.model().nodes[node].camera >= 0) {
@@ -53,6 +65,7 @@ Scene readScene(const std::filesystem::path& path, Progress& progress) {
         addLightsAndCamera(document, graph, node, lights, scene);
     }
     if (scene.materials.empty()) scene.materials.emplace_back();
+    markEmissionOfLights(scene);
     checkExtent(scene);
     materials.decodeImages(progress);
     return scene;

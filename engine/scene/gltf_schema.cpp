@@ -182,6 +182,7 @@ const JsonSchema kPolylumeLight{
     number("intensity", 0.0),
     required(text("type")),
     boolean("twoSided"),
+    boolean("shownBySurface"),
     closed(object("texture", kPolylumeTexture)),
     closed(object("rect", kPolylumeRectangle)),
     closed(object("polygon", kPolylumePolygon)),

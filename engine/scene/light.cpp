@@ -25,4 +25,9 @@ EllipseLight makeEllipse(const LightFrame& frame, const glm::vec2& size,
             -0.5f * size.y * frame.worldFromLight[1], radiance};
 }
 
+TubeLight makeTube(const LightFrame& frame, float length, float radius, const glm::vec3& radiance) {
+    const glm::vec3 half = 0.5f * length * frame.worldFromLight[0];
+    return {frame.center - half, frame.center + half, radius, radiance};
+}
+
 }  // namespace polylume::scene

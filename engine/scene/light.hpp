@@ -33,6 +33,9 @@ PolygonLight makeRectangle(const LightFrame& frame, const glm::vec2& size,
 /// An ellipse of full extents `size` along the frame's X and Y.
 EllipseLight makeEllipse(const LightFrame& frame, const glm::vec2& size, const glm::vec3& radiance);
 
+/// A tube of `length` between the centres of its caps, along the frame's X.
+TubeLight makeTube(const LightFrame& frame, float length, float radius, const glm::vec3& radiance);
+
 enum class PunctualLightType { directional, point, spot };
 
 /// KHR_lights_punctual.

@@ -7,15 +7,12 @@
 #include <memory>
 #include <string>
 
-#include "image/image.hpp"
 #include "polylume/light_image.hpp"
 #include "scene/gltf_document.hpp"
+#include "scene/light_image_reader.hpp"
 #include "scene/material.hpp"
 
 namespace polylume::scene {
-
-/// The picture on a light, from an sRGB-encoded PNG or JPEG; alpha is passed over.
-LightImage linearImage(const PixelImage& image);
 
 /// The wrap mode of a sampler as lights have it.
 TextureWrap lightWrap(Wrap wrap);

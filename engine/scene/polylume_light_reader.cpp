@@ -68,8 +68,11 @@ class Reader {
         if (type == "ellipse") area.shape = ellipse();
         if (type == "sphere") area.shape = sphere();
         if (type == "tube") area.shape = tube();
-        const bool twoSided = light_.Has("twoSided") && light_.Get("twoSided").Get<bool>();
+        const bool twoSided = isSet("twoSided");
         std::visit([twoSided](auto& shape) { shape.twoSided = twoSided; }, area.shape);
+        if (auto* flat = std::get_if<PolygonLight>(&area.shape)) {
+            flat->shownBySurface = isSet("shownBySurface");
+        }
         return area;
     }
 
@@ -86,13 +89,18 @@ class Reader {
             if (part == type || !light_.Has(part)) continue;
             fail(concat("no \"", part, "\" in a light of type ", quotedName(type)), "one");
         }
-        if (light_.Has("texture") && type != "rect" && type != "polygon") {
-            fail(concat("no \"texture\" on a light of type ", quotedName(type)), "one",
+        for (const char* field : {"texture", "shownBySurface"}) {
+            if (!light_.Has(field) || type == "rect" || type == "polygon") continue;
+            fail(concat("no \"", field, "\" on a light of type ", quotedName(type)), "one",
                  "a \"rect\" or a \"polygon\" can have one");
         }
         if (type == "polygon" && !light_.Has("polygon")) {
             fail("\"polygon\" with \"contours\"", "none");
         }
+    }
+
+    bool isSet(const char* field) const {
+        return light_.Has(field) && light_.Get(field).Get<bool>();
     }
 
     const tinygltf::Value& part(const char* type) const {
@@ -146,14 +154,9 @@ class Reader {
     TubeLight tube() const {
         const LightPlacement placement = placeLight(document_, node_, where_);
         const double length = worldLength(part("tube"), "length", 1.0, placement.scale);
-        const glm::vec3 half = static_cast<float>(0.5 * length) * placement.frame.worldFromLight[0];
-        TubeLight light;
-        light.start = placement.frame.center - half;
-        light.end = placement.frame.center + half;
-        light.radius =
-            static_cast<float>(worldLength(part("tube"), "radius", 0.01, placement.scale));
-        light.radiance = radiance_;
-        return light;
+        const double radius = worldLength(part("tube"), "radius", 0.01, placement.scale);
+        return makeTube(placement.frame, static_cast<float>(length), static_cast<float>(radius),
+                        radiance_);
     }
 
     PolygonLight polygon() {

@@ -3,6 +3,7 @@
 
 #include "scene/uri.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <cstdint>
 
@@ -106,6 +107,44 @@ std::vector<std::byte> readUri(std::string_view uri, const std::filesystem::path
     } catch (const Error& error) {
         throw Error(concat(error.what(), " (", place, " refers to it)"));
     }
+}
+
+std::string dataUri(std::string_view mimeType, std::span<const std::byte> bytes) {
+    constexpr std::string_view kDigits =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string uri = concat("data:", mimeType, ";base64,");
+    uri.reserve(uri.size() + (bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+        std::uint32_t bits = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            bits = (bits << 8) | (k < count ? std::to_integer<std::uint32_t>(bytes[i + k]) : 0u);
+        }
+        for (std::size_t k = 0; k < 4; ++k) {
+            uri += k <= count ? kDigits[(bits >> (18 - 6 * k)) & 63u] : '=';
+        }
+    }
+    return uri;
+}
+
+std::string relativeUri(const std::filesystem::path& file, const std::filesystem::path& folder) {
+    namespace fs = std::filesystem;
+    const fs::path from =
+        fs::weakly_canonical(fs::absolute(folder.empty() ? fs::path(".") : folder));
+    const std::string path =
+        fs::weakly_canonical(fs::absolute(file)).lexically_proximate(from).generic_string();
+    constexpr std::string_view kPlain = "-._~/";  // RFC 3986's unreserved characters, and folders.
+    constexpr std::string_view kHexDigits = "0123456789ABCDEF";
+    std::string uri;
+    for (const char c : path) {
+        const auto byte = static_cast<unsigned char>(c);
+        if ((byte < 0x80 && std::isalnum(byte)) || kPlain.find(c) != std::string_view::npos) {
+            uri += c;
+        } else {
+            uri += {'%', kHexDigits[byte >> 4], kHexDigits[byte & 15]};
+        }
+    }
+    return uri;
 }
 
 }  // namespace polylume::scene

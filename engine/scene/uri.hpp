@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,5 +22,11 @@ std::vector<std::byte> readUri(std::string_view uri, const std::filesystem::path
 /// readUri() does.
 std::filesystem::path fileOfUri(std::string_view uri, const std::filesystem::path& folder,
                                 std::string_view place);
+
+/// "data:image/png;base64,...": what readUri() reads back.
+std::string dataUri(std::string_view mimeType, std::span<const std::byte> bytes);
+
+/// A URI, percent-encoded, that leads from `folder` to `file`, both of any form.
+std::string relativeUri(const std::filesystem::path& file, const std::filesystem::path& folder);
 
 }  // namespace polylume::scene

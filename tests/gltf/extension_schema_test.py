@@ -3,6 +3,7 @@
 """Holds POLYLUME_lights_area's JSON schemas against our samples and against files that are wrong.
 
 extension_schema_test.py samples SOURCE_DIR: every object of the extension in every sample validates.
+extension_schema_test.py folder SOURCE_DIR FOLDER: the same of all files below FOLDER.
 extension_schema_test.py twins SOURCE_DIR COMMAND WORK_DIR: of a file that has every field and passes both the schema and
 the command's own reader, each twin with one thing wrong fails the schema, and the reader refuses it too and says where.
 """
@@ -55,22 +56,22 @@ class Schemas:
         ]
 
 
-def check_samples(source_dir):
+def check_folder(source_dir, folder):
     schemas = Schemas(source_dir)
     failures = 0
     object_count = 0
-    paths = sorted(p for p in (source_dir / "samples").rglob("*") if p.suffix in (".gltf", ".glb"))
+    paths = sorted(p for p in folder.rglob("*") if p.suffix in (".gltf", ".glb"))
     for path in paths:
         document = load_document(path)
         count = sum(1 for _ in extension_objects(document))
         errors = schemas.errors(document)
-        print(f"{path.relative_to(source_dir)}: {count} objects, {len(errors)} errors")
+        print(f"{path.relative_to(folder)}: {count} objects, {len(errors)} errors")
         for error in errors:
             print(f"    {error}")
         failures += len(errors)
         object_count += count
     if object_count == 0:
-        print("expected objects of the extension in the samples, found none")
+        print(f"expected objects of the extension below {folder}, found none")
         failures += 1
     return failures
 
@@ -97,6 +98,10 @@ TWINS = {
     "type unknown": (RECT + ["type"], "disk"),
     "type not a string": (RECT + ["type"], 1),
     "twoSided a number": (RECT + ["twoSided"], 1),
+    "shownBySurface a number": (RECT + ["shownBySurface"], 1),
+    "shownBySurface on an ellipse": (ELLIPSE + ["shownBySurface"], True),
+    "shownBySurface on a sphere": (SPHERE + ["shownBySurface"], True),
+    "shownBySurface on a tube": (TUBE + ["shownBySurface"], True),
     "texture not an object": (RECT + ["texture"], 0),
     "texture without an image": (RECT + ["texture"], {}),
     "texture of two images": (RECT + ["texture", "uri"], "a.png"),
@@ -237,7 +242,9 @@ def check_twins(source_dir, command, work_dir):
 def main():
     source_dir = pathlib.Path(sys.argv[2])
     if sys.argv[1] == "samples":
-        return 1 if check_samples(source_dir) else 0
+        return 1 if check_folder(source_dir, source_dir / "samples") else 0
+    if sys.argv[1] == "folder":
+        return 1 if check_folder(source_dir, pathlib.Path(sys.argv[3])) else 0
     return 1 if check_twins(source_dir, sys.argv[3], pathlib.Path(sys.argv[4])) else 0
 
 
