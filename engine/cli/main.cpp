@@ -16,6 +16,7 @@
 #include "cli/table_options.hpp"
 #include "cli/terminal.hpp"
 #include "cli/version.hpp"
+#include "cli/view_command.hpp"
 
 namespace polylume::cli {
 namespace {
@@ -41,8 +42,10 @@ int runMain(int argc, char** argv) {
     FiguresCommand figures;
     FitCommand fit;
     InfoCommand info;
+    ViewCommand view;
     const CLI::App* renderApp = addRenderCommand(app, render);
     const CLI::App* referenceApp = addReferenceCommand(app, reference);
+    const CLI::App* viewApp = addViewCommand(app, view);
     const CLI::App* infoApp = addInfoCommand(app, info);
     const CLI::App* compareApp = addCompareCommand(app, compare);
     const CLI::App* figuresApp = addFiguresCommand(app, figures);
@@ -65,6 +68,11 @@ int runMain(int argc, char** argv) {
         if (figuresApp->parsed()) run(figures);
         if (fitApp->parsed()) run(fit);
         if (infoApp->parsed()) run(info);
+        if (viewApp->parsed()) {
+            if (verbose) view.arguments.emplace_back("-v");
+            if (quiet) view.arguments.emplace_back("-q");
+            run(view);
+        }
         if (tableWork) tableWork();
     } catch (const std::exception& error) {
         fmt::print(stderr, "polylume: error: {}\n", error.what());

@@ -25,13 +25,9 @@ namespace {
 
 /// The EV of a PNG.
 double exposureOf(const PictureRequest& request, const RenderedImage& rendered) {
-    // A picture without a lit surface has nothing to go by; EV 10 shows a radiance of 1229 nits as
-    // white.
-    constexpr double kEvOfDarkness = 10.0;
     if (request.exposure) return *request.exposure;
-    if (!(rendered.logMeanLuminance > 0.0)) return kEvOfDarkness;
-    const double ev = evForLogMean(rendered.logMeanLuminance);
-    log(LogLevel::info, fmt::format("exposure {:.2f} EV", ev));
+    const double ev = automaticEv(rendered.logMeanLuminance);
+    if (rendered.logMeanLuminance > 0.0) log(LogLevel::info, fmt::format("exposure {:.2f} EV", ev));
     return ev;
 }
 
@@ -93,6 +89,13 @@ ImageMetadata describePicture(const scene::Scene& scene, const scene::Camera& ca
     metadata["polylume:samples"] = options.sampleCount;
     metadata["polylume:diffuse"] = std::string(nameOf(options.model.diffuse));
     return metadata;
+}
+
+double automaticEv(double logMeanLuminance) {
+    // A picture without a lit surface has nothing to go by; EV 10 shows a radiance of 1229 nits as
+    // white.
+    constexpr double kEvOfDarkness = 10.0;
+    return logMeanLuminance > 0.0 ? evForLogMean(logMeanLuminance) : kEvOfDarkness;
 }
 
 void writePicture(const PictureRequest& request, const ViewOptions& options,

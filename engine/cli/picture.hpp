@@ -40,6 +40,9 @@ const scene::Camera& chooseCamera(const scene::Scene& scene, const PictureReques
 ImageMetadata describePicture(const scene::Scene& scene, const scene::Camera& camera,
                               const ViewOptions& options);
 
+/// The EV of a picture whose exposure is automatic, from RenderedImage::logMeanLuminance.
+double automaticEv(double logMeanLuminance);
+
 /// Writes `rendered` as the extension asks: an EXR as it is, a PNG exposed and tone-mapped, with
 /// alpha where `options` ask for no background.
 void writePicture(const PictureRequest& request, const ViewOptions& options,

@@ -75,21 +75,9 @@ void addReflectionFlags(CLI::App& app, ViewOptions& options) {
 
 }  // namespace
 
-void addPictureFlags(CLI::App& app, PictureRequest& request, ViewOptions& options) {
-    app.add_option("scene", request.scene, "Scene: a glTF 2.0 file, .gltf or .glb")
-        ->required()
-        ->option_text("SCENE");
-    app.add_option("-o,--output", request.output, "Picture to write: .exr or .png")
-        ->required()
-        ->option_text("FILE");
-    addParsed(app, "--size", options.size, parseSize, "Size in pixels; default 1280x720")
-        ->option_text("WxH");
+void addSceneFlags(CLI::App& app, PictureRequest& request, ViewOptions& options) {
     app.add_option("--camera", request.camera, "Camera of the scene; default the first")
         ->option_text("NAME|INDEX");
-    app.add_option("--samples", options.sampleCount,
-                   "Positions in a pixel that are averaged; default 4, 1 is its centre")
-        ->check(CLI::Range(1, 65536))
-        ->option_text("N");
     addParsed(app, "--exposure", request.exposure, parseExposure,
               "Exposure of a PNG in EV at ISO 100; default auto")
         ->option_text("auto|EV");
@@ -105,14 +93,39 @@ void addPictureFlags(CLI::App& app, PictureRequest& request, ViewOptions& option
         ->option_text("FILE");
     app.add_flag("--emissive-lights", request.emissiveLights,
                  "Make polygon lights of the scene's emissive surfaces, one of each flat patch");
-    addParsed(app, "--aov", options.aovs, parseAovs,
-              fmt::format("Add layers to an EXR: all, or some of {}", fmt::join(aovNames(), ",")))
-        ->option_text("NAMES");
     addParsed(app, "--background", options.background, parseBackground,
               "Radiance behind the scene in nits, or none for a transparent one; default 0,0,0")
         ->option_text("R,G,B|none");
     app.add_flag("--two-sided", options.twoSided, "Every area light emits from both sides");
     app.add_flag("--hide-lights", options.hideLights, "The camera does not see area lights");
+}
+
+void addSize(CLI::App& app, glm::ivec2& size, const std::string& description) {
+    addParsed(app, "--size", size, parseSize, description)->option_text("WxH");
+}
+
+CLI::Option* addQuality(CLI::App& app, Quality& quality) {
+    return addChoice<Quality>(app, "--quality", quality,
+                              {{"standard", Quality::standard}, {"high", Quality::high}},
+                              "One or two lobes for the specular reflection; default standard");
+}
+
+void addPictureFlags(CLI::App& app, PictureRequest& request, ViewOptions& options) {
+    app.add_option("scene", request.scene, "Scene: a glTF 2.0 file, .gltf or .glb")
+        ->required()
+        ->option_text("SCENE");
+    app.add_option("-o,--output", request.output, "Picture to write: .exr or .png")
+        ->required()
+        ->option_text("FILE");
+    addSize(app, options.size, "Size in pixels; default 1280x720");
+    app.add_option("--samples", options.sampleCount,
+                   "Positions in a pixel that are averaged; default 4, 1 is its centre")
+        ->check(CLI::Range(1, 65536))
+        ->option_text("N");
+    addSceneFlags(app, request, options);
+    addParsed(app, "--aov", options.aovs, parseAovs,
+              fmt::format("Add layers to an EXR: all, or some of {}", fmt::join(aovNames(), ",")))
+        ->option_text("NAMES");
 }
 
 void checkPictureFlags(const PictureRequest& request, const ViewOptions& options) {

@@ -26,10 +26,7 @@ CLI::App* addRenderCommand(CLI::App& app, RenderCommand& command) {
         *render, "--backend", command.backend,
         {{"auto", Backend::automatic}, {"egl", Backend::egl}, {"osmesa", Backend::osmesa}},
         "Where the OpenGL context comes from; default auto");
-    const CLI::Option* quality =
-        addChoice<Quality>(*render, "--quality", command.options.model.quality,
-                           {{"standard", Quality::standard}, {"high", Quality::high}},
-                           "One or two lobes for the specular reflection; default standard");
+    const CLI::Option* quality = addQuality(*render, command.options.model.quality);
     render
         ->add_option("--table", command.table,
                      "LTC table for the specular reflection of area lights, .exr or .f32; default "

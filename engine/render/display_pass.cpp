@@ -3,6 +3,7 @@
 
 #include "render/display_pass.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -43,6 +44,36 @@ DisplayPass::DisplayPass(const gl::Functions& gl, const gl::ShaderLibrary& libra
 
 void DisplayPass::draw(const gl::Texture& picture, const gl::Texture& reference,
                        const DisplayOptions& options) {
+    if (picture.size() == options.size || options.right != Right::picture) {
+        return drawDirectly(picture, reference, options);
+    }
+    // Stretched as it is shown: edges of what is brighter than white stay smooth, and the curves
+    // cost no more than the picture has pixels.
+    GLint target = 0;
+    gl_.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
+    if (coarse_.size() != picture.size()) {
+        coarse_ = gl::Texture(gl_, GL_RGBA8, picture.size(), 1, "coarse display");
+        coarseTarget_ = gl::Framebuffer(
+            gl_, std::vector<gl::Framebuffer::Attachment>{{GL_COLOR_ATTACHMENT0, &coarse_}},
+            "coarse display");
+    }
+    coarseTarget_.bind();
+    DisplayOptions coarse = options;
+    coarse.origin = glm::ivec2(0);
+    coarse.size = picture.size();
+    if (options.checkerSize > 0) {
+        coarse.checkerSize = std::max(options.checkerSize * coarse.size.x / options.size.x, 1);
+    }
+    drawDirectly(picture, reference, coarse);
+    const glm::ivec2 end = options.origin + options.size;
+    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(target));
+    gl_.BlitNamedFramebuffer(coarseTarget_.name(), static_cast<GLuint>(target), 0, 0, coarse.size.x,
+                             coarse.size.y, options.origin.x, options.origin.y, end.x, end.y,
+                             GL_COLOR_BUFFER_BIT, GL_LINEAR);
+}
+
+void DisplayPass::drawDirectly(const gl::Texture& picture, const gl::Texture& reference,
+                               const DisplayOptions& options) {
     const bool isSplit = options.right != Right::picture;
     data_.area = glm::vec4(options.origin, options.size);
     data_.scale = {options.pictureScale, 1.0f, exposureScale(options.ev), options.checkerSize};

@@ -46,10 +46,15 @@ class DisplayPass {
               const DisplayOptions& options);
 
   private:
+    void drawDirectly(const gl::Texture& picture, const gl::Texture& reference,
+                      const DisplayOptions& options);
+
     const gl::Functions& gl_;
     gl::Program program_;
     gl::SamplerObject sampler_;
     gl::Texture heat_;
+    gl::Texture coarse_;  ///< A picture of another size than its area, as it is shown; else empty.
+    gl::Framebuffer coarseTarget_;
     gl::VertexArray noVertices_;
     shared::DisplayData data_{};  ///< Before the block, which is made from it.
     gl::Buffer block_;

@@ -50,24 +50,10 @@ vec3 srgbFromLinear(vec3 linear) {
     return mix(curve, 12.92 * linear, lessThanEqual(linear, vec3(0.0031308)));
 }
 
-/// The pixel of a picture that may have another size than the area: a mean of four then, in which what is brighter
-/// counts less, so that edges of lights and highlights stay smooth after the tone map (Karis 2013).
-vec4 pixelOf(sampler2D source, vec2 place, float scale) {
-    ivec2 size = textureSize(source, 0);
-    if (vec2(size) == display.area.zw) return texelFetch(source, ivec2(place), 0) * scale;
-    vec2 at = place / display.area.zw * vec2(size) - 0.5;
-    vec2 share = fract(at);
-    vec4 sum = vec4(0.0);
-    float weights = 0.0;
-    for (int i = 0; i < 4; ++i) {
-        ivec2 corner = ivec2(i & 1, i >> 1);
-        vec4 texel = texelFetch(source, clamp(ivec2(floor(at)) + corner, ivec2(0), size - 1), 0) * scale;
-        vec2 near = mix(1.0 - share, share, vec2(corner));
-        float weight = near.x * near.y / (1.0 + display.scale.z * luminance(texel.rgb));
-        sum += weight * texel;
-        weights += weight;
-    }
-    return sum / weights;
+/// The pixel of a picture that may have another size than the area.
+vec4 pixelOf(sampler2D source, vec2 place) {
+    if (vec2(textureSize(source, 0)) == display.area.zw) return texelFetch(source, ivec2(place), 0);
+    return textureLod(source, place / display.area.zw, 0.0);
 }
 
 /// In display-linear values, alpha divided out; w: alpha.
@@ -95,15 +81,15 @@ vec3 heatOf(vec4 ours, vec4 truth) {
 
 void main() {
     vec2 place = gl_FragCoord.xy - display.area.xy;
-    vec4 ours = exposed(pixelOf(picture, place, display.scale.x));
+    vec4 ours = exposed(pixelOf(picture, place) * display.scale.x);
     vec3 color = shown(ours, place);
     if (display.modes.y != kShowPicture && place.x > display.divider.x) {
-        vec4 pixel = pixelOf(reference, place, display.scale.y);
+        vec4 pixel = pixelOf(reference, place);
         if (pixel.a < 0.0) {
             // Nothing has been traced here yet.
             color = mix(vec3(0.13), color, 0.35);
         } else {
-            vec4 truth = exposed(pixel);
+            vec4 truth = exposed(pixel * display.scale.y);
             color = display.modes.y == kShowError ? heatOf(ours, truth) : shown(truth, place);
         }
     }

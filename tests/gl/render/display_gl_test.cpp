@@ -139,6 +139,28 @@ TEST_P(DisplayTest, onlyItsAreaIsDrawn) {
     }
 }
 
+TEST_P(DisplayTest, aCoarsePictureIsStretchedAsItIsShown) {
+    // Left half black, right half far beyond white: what is between them is between them on the
+    // screen, too, and not white where a bit of light is mixed in.
+    FloatImage picture = makePicture();
+    for (int y = 0; y < kSize.y; ++y) {
+        for (int x = 0; x < kSize.x; ++x) {
+            for (int c = 0; c < 3; ++c) picture.pixel(x, y)[c] = 2 * x < kSize.x ? 0.0f : 1e7f;
+        }
+    }
+    DisplayOptions options = makeOptions(ToneMap::aces);
+    options.size = 4 * kSize;
+    const Bytes shown = display(upload(picture), {}, options, 4 * kSize);
+    const auto at = [&](int x) { return static_cast<int>(shown[static_cast<std::size_t>(3 * x)]); };
+    const int middle = 2 * kSize.x;
+    EXPECT_EQ(at(middle - 8), 0);
+    EXPECT_EQ(at(middle + 8), 255);
+    EXPECT_GT(at(middle - 1), 64);
+    EXPECT_LT(at(middle - 1), 128);
+    EXPECT_GT(at(middle), 128);
+    EXPECT_LT(at(middle), 192);
+}
+
 TEST_P(DisplayTest, theReferenceIsRightOfTheDivider) {
     const FloatImage picture = makePicture();
     FloatImage reference = picture;
