@@ -9,6 +9,7 @@
 
 #include "core/log.hpp"
 #include "core/text.hpp"
+#include "gl/software_renderer.hpp"
 #include "polylume/error.hpp"
 
 namespace polylume::context {
@@ -19,15 +20,6 @@ thread_local ThreadContext* currentContext = nullptr;
 std::string stringOf(const gl::Functions& gl, GLenum name) {
     const GLubyte* text = gl.GetString(name);
     return text != nullptr ? reinterpret_cast<const char*>(text) : "unknown";
-}
-
-bool isSoftwareRenderer(std::string_view renderer) {
-    // Mesa's drivers that run on the CPU.
-    constexpr std::array<std::string_view, 4> kNames = {"llvmpipe", "softpipe", "swrast", "SWR"};
-    for (const std::string_view name : kNames) {
-        if (renderer.find(name) != std::string_view::npos) return true;
-    }
-    return false;
 }
 
 struct Limit {
@@ -103,7 +95,7 @@ void ThreadContext::start(const std::string& backend, GetFunction getFunction) {
     info_.renderer = stringOf(functions_, GL_RENDERER);
     info_.version = stringOf(functions_, GL_VERSION);
     info_.shadingLanguageVersion = stringOf(functions_, GL_SHADING_LANGUAGE_VERSION);
-    info_.software = isSoftwareRenderer(info_.renderer);
+    info_.software = gl::isSoftwareRenderer(info_.renderer);
     debugLog_ = std::make_unique<gl::DebugLog>(functions_);
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/text.hpp"
+#include "gl/software_renderer.hpp"
 
 namespace polylume::embed {
 
@@ -31,7 +32,12 @@ const char* imageFormatName(GLenum format) {
 
 LightingPrograms::LightingPrograms(const gl::Functions& gl, const gl::ShaderLibrary& library,
                                    LightingStage stage, bool hasHostSurface)
-    : gl_(gl), library_(library), stage_(stage), hasHostSurface_(hasHostSurface) {
+    : gl_(gl),
+      library_(library),
+      stage_(stage),
+      hasHostSurface_(hasHostSurface),
+      isSoftware_(
+          gl::isSoftwareRenderer(reinterpret_cast<const char*>(gl.GetString(GL_RENDERER)))) {
     // What hosts draw to most often, until there was a draw.
     if (stage == LightingStage::compute) current_.format = GL_RGBA16F;
     use({});
@@ -77,6 +83,7 @@ LightingProgram LightingPrograms::make(const Key& key) const {
     if (hasHostSurface_) defines.emplace_back("POLYLUME_HOST_SURFACE");
     LightingProgram made;
     if (stage_ == LightingStage::fragment) {
+        if (isSoftware_) defines.emplace_back("POLYLUME_SHADES_ALL");
         made.program = gl::Program(gl_, library_, "passes/fullscreen.vert", "passes/lighting.frag",
                                    defines, "polylume lighting");
         return made;

@@ -61,6 +61,7 @@ class LightingPrograms {
     const gl::ShaderLibrary& library_;
     LightingStage stage_;
     bool hasHostSurface_;
+    bool isSoftware_;
     std::vector<std::vector<std::string>> variants_;
     std::vector<Entry> entries_;
     Key current_;

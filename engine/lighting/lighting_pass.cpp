@@ -27,8 +27,11 @@ LightingPass::LightingPass(const gl::Functions& gl, const gl::ShaderLibrary& lib
 void LightingPass::take(LightSet lights) {
     PreparedLights prepared = resources_.prepare(std::move(lights));
     if (program_.isEmpty() || prepared.defines != programDefines_) {
+        // Pixels without a surface fail the depth test.
+        std::vector<std::string> defines = prepared.defines;
+        defines.emplace_back("POLYLUME_SHADES_ALL");
         program_ = gl::Program(gl_, library_, "passes/fullscreen.vert", "passes/lighting.frag",
-                               prepared.defines, "lighting");
+                               defines, "lighting");
         programDefines_ = prepared.defines;
     }
     resources_.use(std::move(prepared));

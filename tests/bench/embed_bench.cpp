@@ -12,8 +12,9 @@
 #include "gl/objects.hpp"
 #include "polylume/area_lighting.hpp"
 
-// What AreaLighting costs a host's thread: updates of 1,000 lights, a draw's calls over one pixel,
-// and what of that is the keeping of state. By EGL.
+// What AreaLighting costs: a host's thread by updates of 1,000 lights and by a draw's calls over
+// one pixel, and what of these is the keeping of state; and a whole picture, by either stage. By
+// EGL.
 namespace {
 
 using namespace polylume;
@@ -37,7 +38,7 @@ AreaLighting makeLighting(LightingStage stage) {
         "bool readSurface(ivec2 pixel, out Surface surface) {\n"
         "    surface = metallicRoughnessSurface(vec3(0.0), vec3(0.0, 1.0, 0.0), vec3(0.0, 1.0, "
         "0.0), vec3(0.5), 0.0, 0.5);\n"
-        "    return true;\n"
+        "    return pixel.x >= 0;\n"
         "}\n";
     return AreaLighting(getProcAddress(), options);
 }
@@ -129,6 +130,26 @@ void drawOnePixel(benchmark::State& state) {
     context().debugLog().checkNoErrors("benchmark");
 }
 
+/// All of a picture under 16 rectangles.
+void lightPicture(benchmark::State& state) {
+    const bool isCompute = state.range(0) != 0;
+    LightSet lights;
+    for (int i = 0; i < 16; ++i) lights.polygons.push_back(makeRectangle(placeOf(i)));
+    AreaLighting lighting =
+        makeLighting(isCompute ? LightingStage::compute : LightingStage::fragment);
+    lighting.setLights(lights);
+    const gl::Functions& gl = context().functions();
+    const gl::Texture target(gl, GL_RGBA16F, {1280, 720}, 1, "target");
+    LightingFrame frame;
+    frame.target.texture = target.name();
+    frame.size = target.size();
+    for (auto _ : state) {
+        lighting.draw(frame);
+        gl.Finish();
+    }
+    context().debugLog().checkNoErrors("benchmark");
+}
+
 /// As a draw of the fragment stage keeps it.
 void keepState(benchmark::State& state) {
     using embed::ShaderInputKeeper;
@@ -163,6 +184,12 @@ BENCHMARK(drawOnePixel)
     ->Arg(0)
     ->Arg(1)
     ->Unit(benchmark::kMicrosecond)
+    ->UseRealTime();
+BENCHMARK(lightPicture)
+    ->ArgName("compute")
+    ->Arg(0)
+    ->Arg(1)
+    ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 BENCHMARK(keepState)->Unit(benchmark::kMicrosecond)->UseRealTime();
 
