@@ -14,6 +14,10 @@ struct LightImage {
 /// log2(x) within 0.05, for x > 0: an exponent with the mantissa in a straight line.
 float roughLog2(float x) { return float(floatBitsToInt(x)) * 1.1920929e-7 - 126.957; }
 
+// The level whose reads have the variance 1, in texels of the finest: one of level n has 0.417 4^n, of which 1/4 are the
+// binomial means below it (passes/light_image_average.frag) and 1/6 the bilinear read, on average.
+const float kTexelLevel = 0.63;
+
 /// The mean factor of the radiance over a footprint: one read, or three in a row where the footprint is longer than it is
 /// wide.
 vec3 lightImageMean(LightImage image, LtcFootprint footprint) {
@@ -23,7 +27,7 @@ vec3 lightImageMean(LightImage image, LtcFootprint footprint) {
     // Variances along and across the footprint: across, of the read, which has that of a texel at least and a fifth of that
     // along; what is left along is for the reads beside it.
     const float kSlimmest = 1.0 / 5.0;
-    const float kTexelVariance = 0.25;  // Of a bilinear read between means over squares of 1 texel, on average.
+    const float kTexelVariance = 0.25;  // Of a bilinear read of the finest level, on average.
     float middle = 0.5 * (covariance.x + covariance.z);
     float difference = 0.5 * (covariance.x - covariance.z);
     float radius = sqrt(difference * difference + covariance.y * covariance.y);
@@ -36,7 +40,7 @@ vec3 lightImageMean(LightImage image, LtcFootprint footprint) {
     float weight = clamp(0.2 * rest / across - 0.02, 0.0, 0.333333333);
     float square = max(4.0 * across, 1.5 * rest);
     float coarsest = lighting.textureScale.y;
-    float level = 1.0 + 0.25 * roughLog2(across * max(along - 2.0 * weight * square, across));
+    float level = kTexelLevel + 0.25 * roughLog2(across * max(along - 2.0 * weight * square, across));
     level = mix(max(level, 0.0), coarsest, footprint.whole);
     vec2 axis = difference > 0.0 ? vec2(radius + difference, covariance.y) : vec2(covariance.y, radius - difference);
     vec2 step = sqrt(square / max(dot(axis, axis), 1e-25)) * axis;
@@ -60,7 +64,7 @@ vec3 lightImageAtAGlance(LightImage image, LtcGlance glance, float variance) {
     float scale = lighting.textureScale.x;
     // Texels of the read, of which the coarsest level has the fewest.
     float fineness = sqrt(glance.density / (variance * image.texels.x * image.texels.y)) + 2.0 * scale;
-    float level = max(1.0 - roughLog2(fineness), 0.0);
+    float level = max(kTexelLevel - roughLog2(fineness), 0.0);
     // Between two levels both are read, so most of the way there is one.
     const float kSteepness = 2.0;
     float finer = floor(level);

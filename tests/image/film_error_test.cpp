@@ -60,10 +60,10 @@ TEST_P(FilmErrorTest, isNotLargerThanStated) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, FilmErrorTest,
-    ::testing::Values(Case{"diffuse", Lobes::diffuse, Quality::standard, 0.1319},
-                      Case{"diffuseHigh", Lobes::diffuse, Quality::high, 0.0687},
-                      Case{"metal", Lobes::specular, Quality::standard, 0.1728},
-                      Case{"metalHigh", Lobes::specular, Quality::high, 0.0761}),
+    ::testing::Values(Case{"diffuse", Lobes::diffuse, Quality::standard, 0.0957},
+                      Case{"diffuseHigh", Lobes::diffuse, Quality::high, 0.0553},
+                      Case{"metal", Lobes::specular, Quality::standard, 0.1402},
+                      Case{"metalHigh", Lobes::specular, Quality::high, 0.0665}),
     [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
