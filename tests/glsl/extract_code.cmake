@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The Polylume authors
 # SPDX-License-Identifier: MIT
 
-# cmake -DREADME=FILE -DLANGUAGE=c -DINDEX=0 -DOUTPUT=FILE [-DREPLACE=A -DBY=B] -P extract_code.cmake: writes one of the
-# code blocks of a language out of a Markdown file, A in it replaced by B.
+# cmake -DREADME=FILE -DLANGUAGE=c -DINDEX=0 -DOUTPUT=FILE -P extract_code.cmake: writes one of the code blocks of a
+# language out of a Markdown file.
 file(READ ${README} text)
 # Semicolons and brackets mean something to CMake's lists.
 foreach(i RANGE ${INDEX})
@@ -16,7 +16,4 @@ foreach(i RANGE ${INDEX})
 endforeach()
 string(FIND "${text}" "```" end)
 string(SUBSTRING "${text}" 0 ${end} text)
-if(REPLACE)
-    string(REPLACE "${REPLACE}" "${BY}" text "${text}")
-endif()
 file(WRITE ${OUTPUT} "${text}")

@@ -11,21 +11,11 @@ static const GladGLContext* gl;
 #define glTexImage3D gl->TexImage3D
 #define glTexParameteri gl->TexParameteri
 
-#define uploadTable uploadGgx
-#include "readme_upload_ggx.inc"
-#undef uploadTable
+GLuint uploadTable(const char* path);
 
-#define uploadTable uploadGgxTwoLobes
-#include "ggx_two_lobes.h"
-#include "readme_upload_ggx_two_lobes.inc"
-#undef uploadTable
+#include "readme_upload.inc"
 
-GLuint uploadOneLobe(const GladGLContext* functions) {
+GLuint uploadTableFile(const GladGLContext* functions, const char* path) {
     gl = functions;
-    return uploadGgx();
-}
-
-GLuint uploadTwoLobes(const GladGLContext* functions) {
-    gl = functions;
-    return uploadGgxTwoLobes();
+    return uploadTable(path);
 }

@@ -8,10 +8,9 @@
 extern "C" {
 #endif
 
-/* The host code of glsl/ltc/README.md, through the functions of a current context. Each gives a
- * texture array: of the table ggx, and of ggx_two_lobes. */
-GLuint uploadOneLobe(const GladGLContext* functions);
-GLuint uploadTwoLobes(const GladGLContext* functions);
+/* The host code of glsl/ltc/README.md, through the functions of a current context: a texture array
+ * of a table's .f32, 0 where that is no table of 64x64 nodes. */
+GLuint uploadTableFile(const GladGLContext* functions, const char* path);
 
 #ifdef __cplusplus
 }

@@ -109,7 +109,8 @@ class GlslShapesTest : public ::testing::TestWithParam<Dialect> {
         // Core in OpenGL 3.3.
         ASSERT_TRUE(GetParam() == Dialect::core330 ||
                     context_->hasExtension("GL_EXT_color_buffer_float"));
-        table_ = uploadOneLobe(&context_->gl());
+        table_ = uploadTableFile(&context_->gl(), POLYLUME_SOURCE_DIR "/tables/ggx.f32");
+        ASSERT_NE(table_, 0u);
     }
     void TearDown() override {
         if (table_ != 0) context_->gl().DeleteTextures(1, &table_);

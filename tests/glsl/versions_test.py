@@ -1,11 +1,12 @@
 # SPDX-FileCopyrightText: 2026 The Polylume authors
 # SPDX-License-Identifier: MIT
-"""versions_test.py valid|twins|flatten REPOSITORY: tests of glsl/ltc/ as text.
+"""versions_test.py valid|twins|flatten|readme REPOSITORY: tests of glsl/ltc/ as text.
 
 valid: each file, with what it includes, is GLSL 3.30 core, 4.50 core and ES 3.00 by glslangValidator, and holds functions
 alone: no uniforms, no bindings, no version or precision of its own.
 twins: what one of the versions lacks is found out.
 flatten: glsl/flatten.py includes each file once, and says what is missing.
+readme: the functions, signatures and types that glsl/ltc/README.md names exist, and its links lead to what is installed.
 """
 
 import pathlib
@@ -120,8 +121,37 @@ def test_flatten(repository, folder):
     return faults
 
 
+def readme_faults(readme, sources):
+    faults = []
+    for name in sorted(set(re.findall(r"\bltc[A-Z]\w*(?=\()|\bLtc[A-Z]\w*", readme))):
+        pattern = rf"struct {name} " if name[0] == "L" else rf"\w+ {name}\([^;]*\) {{"
+        if not re.search(pattern, sources):
+            faults.append(f"README.md: expected {name} in glsl/ltc/, found none")
+    for signature in re.findall(r"`((?:void|float|vec\d|mat3|Ltc\w+) ltc\w+\([^`]*\))`", readme):
+        if signature + " {" not in sources:
+            faults.append(f"README.md: expected the function {signature} in glsl/ltc/, found none")
+    for link in re.findall(r"\]\(([^)#]+)", readme):
+        # Of the repository, glsl/ and tables/ are installed.
+        if not re.match(r"\.\./\.\./tables/|[^./]|\.\./[^.]", link):
+            faults.append(f"README.md: expected links into glsl/ and tables/, found {link}")
+    return faults
+
+
+def test_readme(repository, _folder):
+    sources = "\n".join(path.read_text(encoding="utf-8") for path in files(repository))
+    readme = (repository / "glsl" / "ltc" / "README.md").read_text(encoding="utf-8")
+    faults = readme_faults(readme, sources)
+    twins = {"ltcBeginPolygon()": "ltcBeginOutline()", "`LtcTubeClip clip": "`LtcClip clip",
+             "(vec3 p, inout LtcPolygon polygon)`": "(inout LtcPolygon polygon, vec3 p)`",
+             "](../../tables/": "](../../tests/"}
+    for old, new in twins.items():
+        if old not in readme or not readme_faults(readme.replace(old, new), sources):
+            faults.append(f"{new!r} in place of {old!r} is not found out")
+    return faults
+
+
 def main():
-    tests = {"valid": test_valid, "twins": test_twins, "flatten": test_flatten}
+    tests = {"valid": test_valid, "twins": test_twins, "flatten": test_flatten, "readme": test_readme}
     if len(sys.argv) != 3 or sys.argv[1] not in tests:
         sys.exit(__doc__)
     if shutil.which("glslangValidator") is None:
