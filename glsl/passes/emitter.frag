@@ -39,8 +39,12 @@ bool isInsideOutline() {
 /// The factor at `place` in the frame of an image of so many `texels`, filtered over a pixel, which steps on by the
 /// other two.
 vec3 imageFactor(float layer, vec2 texels, vec2 place, vec2 stepX, vec2 stepY) {
+    // Levels are wider means than of the square of a texel, which the driver takes them for: 2^0.37 (kTexelLevel of
+    // lighting/light_image.glsl).
+    const float kSharpness = 0.77;
     vec2 scale = texels / vec2(textureSize(lightImages, 0).xy);
-    return textureGrad(lightImages, vec3(scale * place, layer), scale * stepX, scale * stepY).rgb;
+    vec2 step = kSharpness * scale;
+    return textureGrad(lightImages, vec3(scale * place, layer), step * stepX, step * stepY).rgb;
 }
 
 /// `offset` in the light's plane by the edges of the frame of its image.
