@@ -73,13 +73,6 @@ LightingResources makeResources(const gl::Functions& gl, const gl::ShaderLibrary
     return LightingResources(gl, library, options.model, &table);
 }
 
-GLuint makeFramebuffer(const gl::Functions& gl) {
-    GLuint name = 0;
-    gl.CreateFramebuffers(1, &name);
-    gl.ObjectLabel(GL_FRAMEBUFFER, name, -1, "polylume target");
-    return name;
-}
-
 }  // namespace
 
 AreaLightingState::AreaLightingState(const GetProcAddress& getProcAddress,
@@ -89,11 +82,11 @@ AreaLightingState::AreaLightingState(const GetProcAddress& getProcAddress,
       hasHostSurface_(!options.surfaceGlsl.empty()),
       library_(makeLibrary(options.surfaceGlsl)),
       resources_(makeResources(gl_, library_, options)),
-      programs_(gl_, library_, options.stage, hasHostSurface_),
+      programs_(gl_, library_, options.stage, options.surfaceGlsl),
       camera_(gl_, gl::bytesOf(shared::CameraData{}), GL_DYNAMIC_STORAGE_BIT, "polylume camera"),
       nearest_(gl_, GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE),
       noVertices_(gl_, "polylume, no vertices"),
-      framebuffer_(gl_, makeFramebuffer(gl_)),
+      framebuffer_(gl_),
       timestamps_(gl_),
       traits_(PictureKeeper::Traits::of(gl_)) {
     programs_.use(resources_.defines());
@@ -201,7 +194,7 @@ void AreaLightingState::drawTriangle(const LightingFrame& frame, const LightingP
         gl_.BlendEquationSeparatei(0, GL_FUNC_ADD, GL_FUNC_ADD);
         gl_.BlendFuncSeparatei(0, GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
     }
-    // A texture of the G-buffer may be attached, too: what was written before has to be seen
+    // A texture that a snippet reads may be attached, too: what was written before has to be seen
     // (OpenGL 4.5, 9.3.1).
     gl_.TextureBarrier();
     timestamps_.begin();

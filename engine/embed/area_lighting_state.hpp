@@ -5,6 +5,7 @@
 
 #include "embed/gl_state_keeper.hpp"
 #include "embed/lighting_programs.hpp"
+#include "embed/own_framebuffer.hpp"
 #include "embed/timestamp_ring.hpp"
 #include "gl/objects.hpp"
 #include "lighting/lighting_resources.hpp"
@@ -19,6 +20,8 @@ class AreaLightingState {
     AreaLightingState(const AreaLightingState&) = delete;
     AreaLightingState& operator=(const AreaLightingState&) = delete;
 
+    /// Throws Error where the context is not current that all other calls need.
+    void checkContext() const { framebuffer_.checkContext(); }
     void setLights(LightSet lights);
     template <typename Light>
     void update(std::size_t first, std::span<const Light> lights) {
@@ -35,10 +38,6 @@ class AreaLightingState {
     void dispatch(const LightingFrame& frame, const LightingProgram& program, GLenum format);
     void bindInputs(const LightingFrame& frame, const LightingProgram& program) const;
 
-    static void destroyFramebuffer(const gl::Functions& gl, GLuint name) {
-        gl.DeleteFramebuffers(1, &name);
-    }
-
     gl::Functions gl_;  ///< First: the others keep references to it.
     LightingStage stage_;
     bool hasHostSurface_;
@@ -48,7 +47,7 @@ class AreaLightingState {
     gl::Buffer camera_;
     gl::SamplerObject nearest_;
     gl::VertexArray noVertices_;
-    gl::Handle<&destroyFramebuffer> framebuffer_;  ///< For targets that are textures.
+    OwnFramebuffer framebuffer_;
     TimestampRing timestamps_;
     PictureKeeper::Traits traits_;
 };

@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Polylume authors
 // SPDX-License-Identifier: MIT
 
-#include <algorithm>
 #include <exception>
 #include <glm/gtc/type_ptr.hpp>
-#include <iterator>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -17,7 +15,6 @@
 
 struct polylume_lighting {
     polylume::AreaLighting lighting;
-    bool hasSnippet = false;
     polylume::embed::CLights lights{};
 };
 
@@ -96,20 +93,13 @@ AreaLightingOptions optionsFrom(const polylume_options& source) {
     return options;
 }
 
-bool isZero(const double (&matrix)[16]) {
-    return std::all_of(std::begin(matrix), std::end(matrix), [](double v) { return v == 0.0; });
-}
-
-/// `needsCamera`: zeros are taken for a camera that is none, not for one that was left out.
-LightingFrame frameFrom(const polylume_frame& source, bool needsCamera) {
+LightingFrame frameFrom(const polylume_frame& source) {
     LightingFrame frame;
     frame.target = {.texture = source.target_texture, .framebuffer = source.target_framebuffer};
     frame.size = {source.width, source.height};
     frame.composition = enumValue(kCompositions, source.composition, "composition");
-    if (needsCamera || !isZero(source.world_from_view) || !isZero(source.clip_from_view)) {
-        frame.camera.worldFromView = glm::make_mat4(source.world_from_view);
-        frame.camera.clipFromView = glm::make_mat4(source.clip_from_view);
-    }
+    frame.camera.worldFromView = glm::make_mat4(source.world_from_view);
+    frame.camera.clipFromView = glm::make_mat4(source.clip_from_view);
     const polylume_gbuffer& gbuffer = source.gbuffer;
     frame.gbuffer = {.normal = gbuffer.normal,
                      .diffuseRoughness = gbuffer.diffuse_roughness,
@@ -145,8 +135,7 @@ polylume_result polylume_lighting_create(polylume_get_proc_address getProcAddres
         polylume::AreaLightingOptions checked;
         if (options != nullptr) checked = polylume::embed::optionsFrom(*options);
         const auto find = [&](const char* name) { return getProcAddress(name, user); };
-        *lighting = new polylume_lighting{.lighting = polylume::AreaLighting(find, checked),
-                                          .hasSnippet = !checked.surfaceGlsl.empty()};
+        *lighting = new polylume_lighting{.lighting = polylume::AreaLighting(find, checked)};
     });
 }
 
@@ -230,7 +219,7 @@ polylume_result polylume_lighting_draw(polylume_lighting* lighting, const polylu
     return guarded([&] {
         required(lighting, "lighting");
         required(frame, "frame");
-        lighting->lighting.draw(polylume::embed::frameFrom(*frame, !lighting->hasSnippet));
+        lighting->lighting.draw(polylume::embed::frameFrom(*frame));
     });
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "core/text.hpp"
+#include "embed/enum_name.hpp"
 #include "embed/lighting_programs.hpp"
 #include "polylume/error.hpp"
 
@@ -20,8 +21,8 @@ void checkTexture(const gl::Functions& gl, GLuint texture, const char* what) {
         throw Error(concat("expected the name of a texture in ", what, ", found ", texture,
                            ", which is none in the current context"));
     }
-    // Mesa (22.3) knows GL_TEXTURE_TARGET in the core profile alone, and an error of OpenGL's is what
-    // asking must not cause: hosts of the compatibility profile are trusted.
+    // Mesa (22.3) knows GL_TEXTURE_TARGET in the core profile alone, and an error of OpenGL's is
+    // what asking must not cause: hosts of the compatibility profile are trusted.
     GLint profile = 0;
     gl.GetIntegerv(GL_CONTEXT_PROFILE_MASK, &profile);
     if ((profile & GL_CONTEXT_CORE_PROFILE_BIT) == 0) return;
@@ -29,7 +30,7 @@ void checkTexture(const gl::Functions& gl, GLuint texture, const char* what) {
     gl.GetTextureParameteriv(texture, GL_TEXTURE_TARGET, &target);
     if (target != GL_TEXTURE_2D) {
         throw Error(concat("expected a GL_TEXTURE_2D in ", what, ", found texture ", texture,
-                           " of target 0x", std::hex, target));
+                           " of ", enumName(static_cast<GLenum>(target))));
     }
 }
 
@@ -44,6 +45,27 @@ void checkSize(glm::ivec2 size, glm::ivec2 least, const char* what) {
     if (size.x >= least.x && size.y >= least.y) return;
     throw Error(concat("expected ", what, " to have the ", least.x, "x", least.y,
                        " pixels of LightingFrame::size or more, found ", size.x, "x", size.y));
+}
+
+/// Octahedral normals go from -1 to 1.
+void checkNormal(const gl::Functions& gl, GLuint texture) {
+    const char* what = "GBufferTextureNames::normal";
+    checkColorTexture(gl, texture, what);
+    GLint type = 0;
+    gl.GetTextureLevelParameteriv(texture, 0, GL_TEXTURE_RED_TYPE, &type);
+    if (type == GL_FLOAT || type == GL_SIGNED_NORMALIZED) return;
+    GLint format = 0;
+    gl.GetTextureLevelParameteriv(texture, 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
+    throw Error(concat("expected ", what,
+                       " to have a format that holds -1 to 1, of floats or GL_*_SNORM, found ",
+                       "texture ", texture, " of ", enumName(static_cast<GLenum>(format)),
+                       "; normals in other forms are read by AreaLightingOptions::surfaceGlsl"));
+}
+
+void checkIsNotTarget(const LightingFrame& frame, GLuint texture, const char* what) {
+    if (texture != frame.target.texture || texture == 0) return;
+    throw Error(concat("expected LightingTarget::texture to be none of the G-buffer's, found ",
+                       texture, " for ", what, ", too; add to a texture of its own"));
 }
 
 bool isInteger(GLint componentType) {
@@ -69,6 +91,12 @@ GLenum checkTarget(const gl::Functions& gl, const LightingFrame& frame, Lighting
                            "x", frame.size.y));
     }
     const GLuint texture = frame.target.texture;
+    if (texture != 0 && frame.target.framebuffer != 0) {
+        throw Error(
+            concat("expected one of LightingTarget::texture and LightingTarget::framebuffer, found "
+                   "both, ",
+                   texture, " and ", frame.target.framebuffer, ": set the other to 0"));
+    }
     if (texture == 0) {
         if (stage == LightingStage::compute) {
             throw Error(
@@ -91,7 +119,7 @@ GLenum checkTarget(const gl::Functions& gl, const LightingFrame& frame, Lighting
     if (stage == LightingStage::compute &&
         imageFormatName(static_cast<GLenum>(format)) == nullptr) {
         throw Error(concat("expected LightingTarget::texture to be of ", kImageFormats,
-                           " for the compute stage, found format 0x", std::hex, format,
+                           " for the compute stage, found ", enumName(static_cast<GLenum>(format)),
                            "; the fragment stage draws to all colour formats"));
     }
     return static_cast<GLenum>(format);
@@ -120,8 +148,11 @@ glm::ivec2 checkGBuffer(const gl::Functions& gl, const LightingFrame& frame, boo
     }
     const glm::ivec2 size = sizeOf(gl, names.depth);
     checkSize(size, frame.size, depthName);
+    checkNormal(gl, names.normal);
+    checkIsNotTarget(frame, names.depth, depthName);
     for (std::size_t i = 0; i < colors.size() - (withSheen ? 0 : 1); ++i) {
         checkColorTexture(gl, colors[i].texture, colors[i].what);
+        checkIsNotTarget(frame, colors[i].texture, colors[i].what);
         const glm::ivec2 found = sizeOf(gl, colors[i].texture);
         if (found == size) continue;
         throw Error(concat("expected ", colors[i].what, " to be as large as ", depthName, ", ",
@@ -135,8 +166,8 @@ void checkDrawFramebuffer(const gl::Functions& gl, GLuint name, const char* what
     if (status != GL_FRAMEBUFFER_COMPLETE) {
         throw Error(concat("expected ", what,
                            " to be something that the driver draws to, found an incomplete "
-                           "framebuffer (status 0x",
-                           std::hex, status, ")"));
+                           "framebuffer (",
+                           enumName(status), ")"));
     }
     GLint buffer = GL_NONE;
     gl.GetIntegerv(GL_DRAW_BUFFER0, &buffer);

@@ -12,6 +12,7 @@ namespace polylume::embed {
 namespace {
 
 using glm::dmat2;
+using glm::dmat3;
 using glm::dmat4;
 using glm::dvec2;
 using glm::dvec3;
@@ -28,19 +29,37 @@ void checkFinite(const dmat4& matrix, const char* name) {
 
 /// More than rounding of a matrix whose columns are in line.
 constexpr double kLeastVolume = 1e-9;
+/// More than rounding of a rotation that was put together in float.
+constexpr double kLargestScaleError = 1e-3;
 
 void checkWorldFromView(const dmat4& m) {
-    const dvec3 x(m[0]), y(m[1]), z(m[2]);
-    const double volume = std::abs(glm::dot(glm::cross(x, y), z));
-    const bool isAffine = m[0][3] == 0.0 && m[1][3] == 0.0 && m[2][3] == 0.0 && m[3][3] == 1.0;
-    if (isAffine && volume > kLeastVolume * glm::length(x) * glm::length(y) * glm::length(z)) {
-        return;
+    const auto fail = [](const std::string& found) {
+        throw Error(concat(
+            "expected LightingCamera::worldFromView to be a rotation and a translation, found ",
+            found));
+    };
+    const dmat3 axes(m);
+    const dvec3 scale(glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]));
+    if (m == dmat4(0.0)) fail("zeros: it was not given");
+    // What an inverse in float leaves of 0, 0, 0, 1.
+    constexpr double kRounding = 1e-6;
+    const glm::dvec4 lastRow(m[0][3], m[1][3], m[2][3], m[3][3] - 1.0);
+    if (glm::length(lastRow) > kRounding) {
+        fail("a last row that is not 0, 0, 0, 1: is it transposed?");
     }
-    throw Error(
-        concat("expected LightingCamera::worldFromView to be a rotation and a translation, "
-               "found ",
-               isAffine ? "a matrix without an inverse"
-                        : "a last row that is not 0, 0, 0, 1: is it transposed?"));
+    if (!(std::abs(glm::determinant(axes)) > kLeastVolume * scale.x * scale.y * scale.z)) {
+        fail("a matrix without an inverse");
+    }
+    if (glm::length(scale - dvec3(1.0)) > kLargestScaleError) {
+        fail(concat("a scale of (", scale.x, ", ", scale.y, ", ", scale.z,
+                    "): take it off, or scale the scene in the matrices of its objects"));
+    }
+    const dvec3 cosines(glm::dot(axes[0], axes[1]), glm::dot(axes[1], axes[2]),
+                        glm::dot(axes[2], axes[0]));
+    if (glm::length(cosines) > kLargestScaleError) {
+        fail(concat("axes that are not at right angles, with cosines of ", cosines.x, ", ",
+                    cosines.y, " and ", cosines.z));
+    }
 }
 
 /// The parts of clipFromView, for a point (x, y, -t):
@@ -88,6 +107,14 @@ void checkProjection(const dmat4& m, const Projection& projection) {
     }
 }
 
+constexpr const char* kExpectedDepth =
+    "expected clipFromView to give depth that falls from 1, near, to 0, far, ";
+constexpr const char* kHowToMakeDepth =
+    "; make it by glm::perspectiveRH_ZO(), or glm::perspective() with "
+    "GLM_FORCE_DEPTH_ZERO_TO_ONE, with near and far swapped, and draw with "
+    "glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE), glDepthFunc(GL_GREATER) and glClearDepth(0); "
+    "other depths are for a surfaceGlsl that finds the position itself";
+
 void checkDepth(const Projection& projection) {
     if (!projection.isDepthLevel) {
         throw Error(
@@ -99,10 +126,17 @@ void checkDepth(const Projection& projection) {
     const double falling = projection.depthScale * projection.constant +
                            projection.depthShift * projection.perspective;
     if (!(falling > 0.0)) {
-        throw Error(
-            "expected clipFromView to give depth that falls from 1, near, to 0, far "
-            "(reversed, with glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE)), found that it "
-            "does not fall; swap near and far in the function that makes the matrix");
+        throw Error(concat(kExpectedDepth, "found that it does not fall", kHowToMakeDepth));
+    }
+    if (projection.perspective <= 0.0) return;
+    // At infinity a perspective matrix for depth from 0 has 0 or, swapped planes n and f,
+    // -n / (f - n), one for depth from -1 has -1 or -(f + n) / (f - n). Between -1.5 and
+    // -1 the latter has any far plane beyond 5 n, the former one from 1.7 n to 2 n, which is no
+    // camera's: refused, too.
+    const double atInfinity = -projection.depthScale / projection.perspective;
+    if (atInfinity > -1.5 && atInfinity < -1.0 + 1e-3) {
+        throw Error(concat(kExpectedDepth, "found ", atInfinity,
+                           " at infinity, as of depth from 1 to -1", kHowToMakeDepth));
     }
 }
 
@@ -112,8 +146,15 @@ glm::vec4 pack(const dvec3& v) {
 
 }  // namespace
 
-shared::CameraData makeCameraData(const LightingCamera& camera, DepthUse depthUse,
+shared::CameraData makeCameraData(const LightingCamera& given, DepthUse depthUse,
                                   glm::dvec2 scale) {
+    const bool isGiven = given.worldFromView != dmat4(0.0) || given.clipFromView != dmat4(0.0);
+    if (!isGiven && depthUse == DepthUse::needed) {
+        throw Error(
+            "expected the camera of the G-buffer, found that no camera was given: set "
+            "LightingFrame::camera");
+    }
+    const LightingCamera camera = isGiven ? given : LightingCamera{dmat4(1.0), dmat4(1.0)};
     checkFinite(camera.worldFromView, "worldFromView");
     checkFinite(camera.clipFromView, "clipFromView");
     checkWorldFromView(camera.worldFromView);

@@ -11,7 +11,7 @@ namespace polylume::embed {
 /// What the lighting reads depth for.
 enum class DepthUse {
     needed,   ///< For positions: it has to fall from near to far.
-    optional  ///< CameraData::depth is 0 where it tells no distance.
+    optional  ///< CameraData::depth is 0 where it tells no distance. No camera is needed either.
 };
 
 /// The camera block of a host's matrices. A pixel's rays are those of a picture of which `scale`

@@ -4,8 +4,10 @@
 #include "embed/lighting_programs.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/text.hpp"
+#include "embed/snippet_check.hpp"
 #include "gl/software_renderer.hpp"
 
 namespace polylume::embed {
@@ -31,11 +33,11 @@ const char* imageFormatName(GLenum format) {
 }
 
 LightingPrograms::LightingPrograms(const gl::Functions& gl, const gl::ShaderLibrary& library,
-                                   LightingStage stage, bool hasHostSurface)
+                                   LightingStage stage, std::string surfaceGlsl)
     : gl_(gl),
       library_(library),
       stage_(stage),
-      hasHostSurface_(hasHostSurface),
+      surfaceGlsl_(std::move(surfaceGlsl)),
       isSoftware_(
           gl::isSoftwareRenderer(reinterpret_cast<const char*>(gl.GetString(GL_RENDERER)))) {
     // What hosts draw to most often, until there was a draw.
@@ -79,8 +81,22 @@ const LightingProgram& LightingPrograms::find(const Key& key) {
 }
 
 LightingProgram LightingPrograms::make(const Key& key) const {
+    if (surfaceGlsl_.empty()) return makeUnchecked(key);
+    LightingProgram made;
+    try {
+        made = makeUnchecked(key);
+    } catch (const ShaderError& error) {
+        std::string message = error.what();
+        while (message.ends_with('\n')) message.pop_back();
+        throw ShaderError(concat(message, "\n", snippetHint(surfaceGlsl_)));
+    }
+    checkSnippetBindings(gl_, made.program.name(), stage_);
+    return made;
+}
+
+LightingProgram LightingPrograms::makeUnchecked(const Key& key) const {
     std::vector<std::string> defines = variants_[key.variant];
-    if (hasHostSurface_) defines.emplace_back("POLYLUME_HOST_SURFACE");
+    if (!surfaceGlsl_.empty()) defines.emplace_back("POLYLUME_HOST_SURFACE");
     LightingProgram made;
     if (stage_ == LightingStage::fragment) {
         if (isSoftware_) defines.emplace_back("POLYLUME_SHADES_ALL");

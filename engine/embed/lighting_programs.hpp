@@ -23,10 +23,10 @@ struct LightingProgram {
 /// that it was made in.
 class LightingPrograms {
   public:
-    /// Keeps references to `gl` and `library`, which holds the host's snippet where
-    /// `hasHostSurface`.
+    /// Keeps references to `gl` and `library`, which holds the host's snippet, `surfaceGlsl`;
+    /// empty: none.
     LightingPrograms(const gl::Functions& gl, const gl::ShaderLibrary& library, LightingStage stage,
-                     bool hasHostSurface);
+                     std::string surfaceGlsl);
 
     /// Makes sure that the program is there that a draw like the last one needs with `defines`.
     /// Throws ShaderError.
@@ -56,11 +56,12 @@ class LightingPrograms {
     std::size_t variantOf(const std::vector<std::string>& defines);
     const LightingProgram& find(const Key& key);
     LightingProgram make(const Key& key) const;
+    LightingProgram makeUnchecked(const Key& key) const;
 
     const gl::Functions& gl_;
     const gl::ShaderLibrary& library_;
     LightingStage stage_;
-    bool hasHostSurface_;
+    std::string surfaceGlsl_;
     bool isSoftware_;
     std::vector<std::vector<std::string>> variants_;
     std::vector<Entry> entries_;

@@ -39,6 +39,17 @@ GLenum formatOf(const std::vector<TexturedLight>& lights) {
     return std::ranges::any_of(lights, hasTooBright) ? GL_RGBA32F : GL_RGBA16F;
 }
 
+/// Images are filtered from a texture of their size.
+void checkImageSize(const gl::Functions& gl, const LightImage& image, std::size_t polygon) {
+    GLint most = 0;
+    gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    if (image.size.x <= most && image.size.y <= most) return;
+    throw Error(concat("expected the image of polygon light ", polygon, " to have at most ", most,
+                       " texels along a side, which is this driver's limit (GL_MAX_TEXTURE_SIZE), "
+                       "found ",
+                       image.size.x, "x", image.size.y, ": make it smaller"));
+}
+
 GLuint createArray(const gl::Functions& gl, GLenum format, int size, int levelCount,
                    std::size_t layerCount) {
     GLuint name = 0;
@@ -91,6 +102,9 @@ LightTextureArray::LightTextureArray(const gl::Functions& gl,
                                      std::vector<TexturedLight> lights)
     : gl_(&gl), lights_(std::move(lights)), programs_(std::move(programs)) {
     if (lights_.empty()) return;
+    for (const TexturedLight& light : lights_) {
+        checkImageSize(gl, *light.texture.image, light.polygon);
+    }
     chooseSize();
     makeTexture();
     noVertices_ = gl::VertexArray(gl, "light images, no vertices");
@@ -157,6 +171,7 @@ void LightTextureArray::update(std::size_t layer, GLuint texture) {
 }
 
 void LightTextureArray::update(std::size_t layer, const LightImage& image) {
+    checkImageSize(*gl_, image, lights_.at(layer).polygon);
     if (staging_.name() == 0 || staging_.size() != image.size) {
         staging_ = gl::Texture(*gl_, GL_RGB32F, image.size, 1, "light image");
     }

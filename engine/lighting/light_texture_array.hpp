@@ -31,7 +31,7 @@ struct LightImagePrograms {
 };
 
 /// Prefiltered images of lights, each a layer of one texture array with all mip levels: linear
-/// factors of the radiance, each texel the mean over the part of the light that it covers. Where a
+/// factors of the radiance, each texel a smooth mean of the light around it. Where a
 /// layer is larger than a light's image it repeats it mirrored, so that filters see the edge as if
 /// the image went on beyond it. Every call needs the context current that it was made in, and
 /// leaves the draw framebuffer and the viewport as they were; it sets the pixel unpack alignment,

@@ -3,6 +3,8 @@
 
 #include "lights/light_check.hpp"
 
+#include <cmath>
+#include <string>
 #include <string_view>
 
 #include "core/limits.hpp"
@@ -12,6 +14,14 @@
 
 namespace polylume {
 namespace {
+
+/// The cosine of half axes, and the error of a unit vector's length: more than rounding.
+constexpr double kRightAngleTolerance = 1e-3;
+constexpr double kUnitTolerance = 1e-3;
+
+std::string describe(const glm::vec3& v) {
+    return concat("(", v.x, ", ", v.y, ", ", v.z, ")");
+}
 
 bool isFinite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -25,6 +35,19 @@ void checkPower(const glm::vec3& power, std::string_view name, std::string_view 
         return;
     throw Error(concat("expected ", name, " of ", kind, " light ", index, " to be from 0 to ",
                        kLargestEmission, ", found (", power.x, ", ", power.y, ", ", power.z, ")"));
+}
+
+/// KHR_lights_punctual has inner below outer; as both are the same here the edge is hard.
+void checkCone(const PunctualLight& light, std::size_t index) {
+    const float inner = light.innerConeAngle;
+    const float outer = light.outerConeAngle;
+    // A right angle in float lies just above it.
+    const bool isCone = inner >= 0.0f && inner <= outer && outer <= 1.570797f;
+    if (isCone) return;
+    throw Error(
+        concat("expected 0 <= innerConeAngle <= outerConeAngle <= pi / 2, in radians, of "
+               "punctual light ",
+               index, ", found ", inner, " and ", outer));
 }
 
 template <typename Light>
@@ -67,8 +90,17 @@ void checkLight(const PolygonLight& light, std::size_t index, PolygonCheckStorag
 
 void checkLight(const EllipseLight& light, std::size_t index) {
     checkPower(light.radiance, "radiance", "ellipse", index);
-    if (isFinite(light.center) && isFinite(light.halfAxisX) && isFinite(light.halfAxisY)) return;
-    throw Error(concat("expected a finite centre and finite half axes of ellipse light ", index));
+    if (!isFinite(light.center) || !isFinite(light.halfAxisX) || !isFinite(light.halfAxisY)) {
+        throw Error(
+            concat("expected a finite centre and finite half axes of ellipse light ", index));
+    }
+    const glm::dvec3 x(light.halfAxisX), y(light.halfAxisY);
+    const double lengths = glm::length(x) * glm::length(y);
+    if (std::abs(glm::dot(x, y)) <= kRightAngleTolerance * lengths) return;
+    throw Error(concat("expected the half axes of ellipse light ", index,
+                       " to be at right angles, within a thousandth, found ",
+                       describe(light.halfAxisX), " and ", describe(light.halfAxisY),
+                       ", with a cosine of ", glm::dot(x, y) / lengths));
 }
 
 void checkLight(const SphereLight& light, std::size_t index) {
@@ -90,8 +122,20 @@ void checkLight(const TubeLight& light, std::size_t index) {
 
 void checkLight(const PunctualLight& light, std::size_t index) {
     checkPower(light.intensity, "intensity", "punctual", index);
-    if (isFinite(light.position) && isFinite(light.direction)) return;
-    throw Error(concat("expected a finite position and direction of punctual light ", index));
+    if (!isFinite(light.position) || !isFinite(light.direction)) {
+        throw Error(concat("expected a finite position and direction of punctual light ", index));
+    }
+    const double length = glm::length(glm::dvec3(light.direction));
+    if (light.kind != PunctualLightKind::point && !(std::abs(length - 1.0) <= kUnitTolerance)) {
+        throw Error(concat("expected the direction of punctual light ", index,
+                           " to be of length 1, found ", describe(light.direction), " of length ",
+                           length, ": normalize it"));
+    }
+    if (!(light.range > 0.0f)) {
+        throw Error(concat("expected the range of punctual light ", index,
+                           " to be above 0, and infinite for none, found ", light.range));
+    }
+    if (light.kind == PunctualLightKind::spot) checkCone(light, index);
 }
 
 void checkLights(const LightSet& lights) {

@@ -66,7 +66,8 @@ struct AreaLightingOptions {
 /// formats may have fewer bits than said here.
 struct GBufferTextureNames {
     std::uint32_t normal = 0;            ///< RG: world-space shading normal, octahedral (Meyer et
-                                         ///< al. 2010; glsl/surface/octahedral.glsl). RG32F.
+                                         ///< al. 2010; glsl/surface/octahedral.glsl), from -1 to
+                                         ///< 1: floats or a SNORM format. RG32F.
     std::uint32_t diffuseRoughness = 0;  ///< RGB: base colour (1 - metallic), A: perceptual
                                          ///< roughness. RGBA16.
     std::uint32_t specular = 0;          ///< RGB: F0, A: F90. RGBA16.
@@ -78,15 +79,19 @@ struct GBufferTextureNames {
 };
 
 /// Perspective or orthographic, in the middle or not, but with a near plane at right angles to its
-/// axis. The camera's picture is the frame: (-1, -1) in clip space is its lower left corner.
+/// axis. The camera's picture is the frame: (-1, -1) in clip space is its lower left corner. Zeros:
+/// none is given.
 struct LightingCamera {
-    glm::dmat4 worldFromView{1.0};  ///< Rotation and translation; looks along -z.
-    /// To clip space with depth from 1 near to 0 far; far may be infinite. Where a snippet finds
-    /// positions without depth, depth may be anything.
-    glm::dmat4 clipFromView{1.0};
+    /// Rotation and translation, mirrored or not, without scale; looks along -z.
+    glm::dmat4 worldFromView{0.0};
+    /// To clip space with depth from 1 near to 0 far; far may be infinite. As
+    /// glm::perspectiveRH_ZO() makes it with near and far swapped; glm::perspective() does only
+    /// with GLM_FORCE_DEPTH_ZERO_TO_ONE. Where a snippet finds positions without depth, depth may
+    /// be anything.
+    glm::dmat4 clipFromView{0.0};
 };
 
-/// Where the light goes: one of the two.
+/// Where the light goes: one of the two, the other 0. No texture of LightingFrame::gbuffer.
 struct LightingTarget {
     /// A GL_TEXTURE_2D, level 0; 0: `framebuffer` counts.
     std::uint32_t texture = 0;
@@ -106,10 +111,11 @@ struct LightingFrame {
 /// Area and punctual lights over a host's own G-buffer, in its own context.
 ///
 /// Every call but the construction's loading of functions needs the context current that the object
-/// was made in, also the destructor; several objects and contexts at once are fine, each object
-/// used from one thread at a time. All calls leave OpenGL's state as they found it, consume no
-/// OpenGL error of the host, install no callback, start no thread and read no file. The functions
-/// that were found stay in the object, beside the host's own loader.
+/// was made in, also the destructor, and all but that one throw Error in another; several objects
+/// and contexts at once are fine, each object used from one thread at a time. All calls leave
+/// OpenGL's state as they found it, consume no OpenGL error of the host, install no callback, start
+/// no thread and read no file. The functions that were found stay in the object, beside the host's
+/// own loader.
 ///
 /// What OpenGL itself does not let anybody give back: subroutine uniforms, which go with each
 /// change of the program, and a program that the host deleted while it is in use, which goes then.
@@ -126,8 +132,9 @@ class POLYLUME_API AreaLighting {
     AreaLighting& operator=(AreaLighting&&) noexcept;
 
     /// Takes over the lights for all later draws, and compiles a program for the kinds among them
-    /// where there is none yet. Throws Error as checkLights() does and keeps the old ones then, or
-    /// ShaderError, with the driver's log, where the host's snippet does not compile.
+    /// where there is none yet. Throws Error as checkLights() does or where they are more than the
+    /// driver takes, or ShaderError, with the driver's log, where the host's snippet does not
+    /// compile or binds what is not free for it. Keeps the old ones then.
     void setLights(const LightSet& lights);
 
     /// Replace lights from index `first` of LightSet::polygons and so on of the last setLights(),
@@ -156,7 +163,7 @@ class POLYLUME_API AreaLighting {
     /// Lights one frame. The first with a new stage, composition or (compute) format of the target
     /// compiles a program; after it a frame allocates nothing, neither on the heap nor of OpenGL,
     /// however its sizes, cameras, targets and G-buffers change. Throws Error where an input is
-    /// missing or of a format that the stage cannot write.
+    /// missing, not as documented, or of a format that the stage cannot write.
     void draw(const LightingFrame& frame);
 
     /// The program of the last draw, for glProgramUniform*() on uniforms of the host's snippet; 0

@@ -13,6 +13,11 @@
 
 namespace polylume {
 
+// Lights hold plain vectors: GLM_FORCE_DEFAULT_ALIGNED_GENTYPES, as a host may define it, pads them
+// to 16 bytes, and host and library would not agree about where things are.
+static_assert(sizeof(glm::vec3) == 12,
+              "include polylume without GLM_FORCE_DEFAULT_ALIGNED_GENTYPES");
+
 /// How far off its plane a vertex of a polygon light may lie, as a share of the light's extent (the
 /// largest distance of a vertex from the first). Rounding of coordinates in float comes on top.
 inline constexpr double kPlanarTolerance = 1e-3;
@@ -26,19 +31,20 @@ struct PolygonLight {
     /// side; the others are holes inside it, outside each other, and turn the other way. Contours
     /// may touch themselves and each other, in vertices and edges, but do not cross; a vertex may
     /// be repeated. An outline without area is no light, and nothing else is asked of it.
-    std::vector<std::vector<glm::vec3>> contours;
+    std::vector<std::vector<glm::vec3>> contours{};
     glm::vec3 radiance{1000.0f};  ///< Nits per channel.
     bool twoSided = false;
     /// What the radiance is multiplied with from point to point; none: it is even.
     std::optional<LightTexture> texture{};
-    /// The camera does not see the light itself, since an emissive surface in its place shows it.
+    /// For polylume's own pictures of lights: an emissive surface in its place shows this one. The
+    /// lighting does not look at it; hosts leave it false.
     bool shownBySurface = false;
 };
 
 /// A flat Lambertian emitter with the outline of an ellipse or a disk.
 struct EllipseLight {
     glm::vec3 center{0.0f};
-    /// Half axes, at right angles; emits toward cross(halfAxisX, halfAxisY).
+    /// Half axes, at right angles within a thousandth; emits toward cross(halfAxisX, halfAxisY).
     glm::vec3 halfAxisX{0.5f, 0.0f, 0.0f};
     glm::vec3 halfAxisY{0.0f, 0.5f, 0.0f};
     glm::vec3 radiance{1000.0f};  ///< Nits per channel.
@@ -70,25 +76,28 @@ enum class PunctualLightKind { directional, point, spot };
 struct PunctualLight {
     PunctualLightKind kind = PunctualLightKind::point;
     glm::vec3 position{0.0f};
-    glm::vec3 direction{0.0f, 0.0f, -1.0f};  ///< Unit; where the light goes.
-    glm::vec3 intensity{1.0f};               ///< Candela per channel; lux for a directional light.
-    float range = INFINITY;
-    float innerConeAngle = 0.0f;  ///< Radians from the axis.
+    /// Where the light goes; of length 1 within a thousandth. Of no meaning for a point light.
+    glm::vec3 direction{0.0f, 0.0f, -1.0f};
+    glm::vec3 intensity{1.0f};  ///< Candela per channel; lux for a directional light.
+    float range = INFINITY;     ///< Metres, above 0. Of no meaning for a directional light.
+    /// Radians from a spot light's axis: 0 <= inner <= outer <= pi / 2.
+    float innerConeAngle = 0.0f;
     float outerConeAngle = 0.785398163f;
 };
 
 struct LightSet {
-    std::vector<PolygonLight> polygons;
-    std::vector<PunctualLight> punctuals;
+    std::vector<PolygonLight> polygons{};
+    std::vector<PunctualLight> punctuals{};
     std::vector<EllipseLight> ellipses{};
     std::vector<SphereLight> spheres{};
     std::vector<TubeLight> tubes{};
 };
 
 /// Throws Error that names the light by its index where a value is not finite, a radiance or
-/// intensity is negative or over kLargestEmission, or where the contours of a polygon light have
-/// fewer than three or too many vertices, are not planar (kPlanarTolerance), cross, or where holes
-/// turn as the outline does or lie outside it, or where its texture is not as LightTexture says.
+/// intensity is negative or over 1e30, where the contours of a polygon light have fewer than three
+/// or too many vertices, are not planar (kPlanarTolerance), cross, or where holes turn as the
+/// outline does or lie outside it, where its texture is not as LightTexture says, or where half
+/// axes of an ellipse or the direction, range or cone of a punctual light are not as said above.
 POLYLUME_API void checkLights(const LightSet& lights);
 
 }  // namespace polylume

@@ -24,7 +24,7 @@
 using glm::vec2, glm::vec3, glm::vec4;
 
 // What the host's shaders and the snippet know of a frame. Uniform buffers from 8 are the host's.
-struct Frame {
+struct HostFrame {
     glm::mat4 worldFromView;
     vec4 lens, tubeStart, tubeEnd;  // Tangents of half the field of view, pixels; w: radius.
     vec4 disk = vec4(1.2f, 2.4f, 0.6f, 0.6f), ball = vec4(1.5f, 0.16f, 1.0f, 0.16f);
@@ -194,18 +194,18 @@ void run(const std::string& path, glm::ivec2 size) {
     // The host's G-buffer, and the radiance that it and Polylume put together.
     const glm::ivec2 fullSize = size * kSamples;
     const GLenum formats[] = {GL_RGBA32F, GL_RGB10_A2, GL_SRGB8_ALPHA8, GL_R8, GL_RGBA16F};
-    GLuint textures[5], attachments[5], framebuffers[2], vertexArray = 0, frameBuffer = 0;
-    glCreateFramebuffers(2, framebuffers);
+    GLuint textures[5], attachments[5], gbuffer = 0, picture = 0, vertexArray = 0, hostBuffer = 0;
+    for (GLuint* name : {&gbuffer, &picture}) glCreateFramebuffers(1, name);
     for (unsigned i = 0; i < 5; ++i) {
         attachments[i] = GL_COLOR_ATTACHMENT0 + i;
         textures[i] = makeTexture(formats[i], fullSize, i == 4 ? 6 : 1);
-        glNamedFramebufferTexture(framebuffers[0], attachments[i], textures[i], 0);
+        glNamedFramebufferTexture(gbuffer, attachments[i], textures[i], 0);
     }
-    glNamedFramebufferDrawBuffers(framebuffers[0], 5, attachments);
-    glNamedFramebufferTexture(framebuffers[1], attachments[0], makeTexture(GL_RGBA8, size), 0);
+    glNamedFramebufferDrawBuffers(gbuffer, 5, attachments);
+    glNamedFramebufferTexture(picture, attachments[0], makeTexture(GL_RGBA8, size), 0);
     glCreateVertexArrays(1, &vertexArray);
-    glCreateBuffers(1, &frameBuffer);
-    glNamedBufferStorage(frameBuffer, sizeof(Frame), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    glCreateBuffers(1, &hostBuffer);
+    glNamedBufferStorage(hostBuffer, sizeof(HostFrame), nullptr, GL_DYNAMIC_STORAGE_BIT);
     const GLuint programs[] = {makeProgram(kSceneGlsl), makeProgram(kPostGlsl)};
     const auto image = std::make_shared<const polylume::LightImage>(makePanelImage());
     const GLuint panel = makeTexture(GL_RGB16F, image->size);
@@ -217,24 +217,24 @@ void run(const std::string& path, glm::ivec2 size) {
     polylume::AreaLighting lighting(eglGetProcAddress, options);
 
     // (3) The lights, all at once; later those that move.
-    Frame frame;
+    HostFrame host;
     const vec3 corner(-1.6f, 2.5f, -2.46f), across(3.2f, 0.0f, 0.0f), down(0.0f, -1.7f, 0.0f);
     polylume::LightSet lights;
     lights.polygons = {
         {.contours = {{corner, corner + down, corner + down + across, corner + across}},
-         .radiance = frame.nits[0],
+         .radiance = host.nits[0],
          .texture = {{.image = image, .origin = corner, .axisU = across, .axisV = down}}}};
-    lights.tubes = {{.radius = 0.025f, .radiance = frame.nits[1]}};
-    lights.ellipses = {{.center = frame.disk,
-                        .halfAxisX = {frame.disk.w, 0.0f, 0.0f},
-                        .halfAxisY = {0.0f, 0.0f, frame.disk.w},
-                        .radiance = frame.nits[2]}};
-    lights.spheres = {{.center = frame.ball, .radius = frame.ball.w, .radiance = frame.nits[3]}};
+    lights.tubes = {{.radius = 0.025f, .radiance = host.nits[1]}};
+    lights.ellipses = {{.center = host.disk,
+                        .halfAxisX = {host.disk.w, 0.0f, 0.0f},
+                        .halfAxisY = {0.0f, 0.0f, host.disk.w},
+                        .radiance = host.nits[2]}};
+    lights.spheres = {{.center = host.ball, .radius = host.ball.w, .radiance = host.nits[3]}};
     lighting.setLights(lights);
 
-    frame.worldFromView = glm::inverse(
+    host.worldFromView = glm::inverse(
         glm::lookAt(vec3(0.35f, 1.6f, 5.2f), vec3(-0.05f, 0.98f, -0.6f), vec3(0.0f, 1.0f, 0.0f)));
-    frame.lens = vec4(0.38f * vec2(fullSize) / float(fullSize.y), vec2(fullSize));
+    host.lens = vec4(0.38f * vec2(fullSize) / float(fullSize.y), vec2(fullSize));
     for (float seconds = 0.0f; seconds < 0.75f; seconds += 0.1f) {
         const vec3 middle(-2.3f, 0.95f, -0.5f), half(0.3f * std::sin(seconds), 0.75f, 0.0f);
         lights.tubes[0].start = middle - half;
@@ -242,11 +242,11 @@ void run(const std::string& path, glm::ivec2 size) {
         lighting.updateTubes(0, lights.tubes);
 
         // The host's part: its G-buffer, and what glows by itself.
-        frame.tubeStart = vec4(lights.tubes[0].start, lights.tubes[0].radius);
-        frame.tubeEnd = vec4(lights.tubes[0].end, lights.tubes[0].radius);
-        glNamedBufferSubData(frameBuffer, 0, sizeof(frame), &frame);
-        glBindBufferBase(GL_UNIFORM_BUFFER, 8, frameBuffer);
-        glBindFramebuffer(GL_FRAMEBUFFER, framebuffers[0]);
+        host.tubeStart = vec4(lights.tubes[0].start, lights.tubes[0].radius);
+        host.tubeEnd = vec4(lights.tubes[0].end, lights.tubes[0].radius);
+        glNamedBufferSubData(hostBuffer, 0, sizeof(host), &host);
+        glBindBufferBase(GL_UNIFORM_BUFFER, 8, hostBuffer);
+        glBindFramebuffer(GL_FRAMEBUFFER, gbuffer);
         glViewport(0, 0, fullSize.x, fullSize.y);
         glEnable(GL_FRAMEBUFFER_SRGB);
         glBindVertexArray(vertexArray);
@@ -263,7 +263,7 @@ void run(const std::string& path, glm::ivec2 size) {
 
         // The host's part again: post-processing.
         glGenerateTextureMipmap(textures[4]);
-        glBindFramebuffer(GL_FRAMEBUFFER, framebuffers[1]);
+        glBindFramebuffer(GL_FRAMEBUFFER, picture);
         glViewport(0, 0, size.x, size.y);
         glDisable(GL_FRAMEBUFFER_SRGB);
         glUseProgram(programs[1]);
@@ -281,8 +281,8 @@ void run(const std::string& path, glm::ivec2 size) {
     if (!file.flush()) throw std::runtime_error("cannot write " + path);
 
     // (5) What it cost the GPU.
-    std::printf("embed_sample: %s, %dx%d pixels: %.2f ms\n", glGetString(GL_RENDERER), fullSize.x,
-                fullSize.y, 1e3 * lighting.gpuTimeSeconds().value_or(0.0));
+    std::printf("%s: one lighting pass over %dx%d pixels takes %.2f ms\n", glGetString(GL_RENDERER),
+                fullSize.x, fullSize.y, 1e3 * lighting.gpuTimeSeconds().value_or(0.0));
 }
 
 int main(int argc, char** argv) {

@@ -139,6 +139,13 @@ headers)
         cp alone.cpp alone.c
         "$CC" -std=c99 "${warnings[@]}" alone.c || fail "$header does not compile alone as C99"
     done
+    # Vectors of 16 bytes would be taken for ours of 12.
+    printf '#include <polylume/light.hpp>\n' >aligned.cpp
+    aligned=(-DGLM_FORCE_INTRINSICS -DGLM_FORCE_DEFAULT_ALIGNED_GENTYPES)
+    if "$CXX" -std=c++20 "${warnings[@]}" "${aligned[@]}" aligned.cpp 2>aligned.log; then
+        fail "expected padded vectors to be refused"
+    fi
+    grep -q "include polylume without GLM_FORCE_DEFAULT_ALIGNED_GENTYPES" aligned.log || fail "$(<aligned.log)"
     ;;
 exports)
     "$PYTHON" "$SOURCE/tests/consumer/exports_test.py" "$WORK/static/moved" "$WORK/shared/moved"

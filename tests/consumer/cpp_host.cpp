@@ -63,7 +63,7 @@ polylume::LightSet wideRectangle() {
         light.contours[0].emplace_back(kWideRectangle[i], kWideRectangle[i + 1],
                                        kWideRectangle[i + 2]);
     }
-    return {.polygons = {light}, .punctuals = {}, .spheres = {{.radiance = glm::vec3(0.0f)}}};
+    return {.polygons = {light}, .spheres = {{.radiance = glm::vec3(0.0f)}}};
 }
 
 void checkCpp(const GLuint (&gbuffer)[5]) {

@@ -25,6 +25,7 @@ GetProcAddress getProcAddressOf(Backend backend) {
 
 LightingCamera makeOffCentreCamera() {
     LightingCamera camera;
+    camera.worldFromView = glm::dmat4(1.0);
     camera.worldFromView[3] = {0.2, 0.1, 3.0, 1.0};
     glm::dmat4& clip = camera.clipFromView;
     clip = glm::dmat4(0.0);

@@ -3,7 +3,8 @@
 
 #include <gmock/gmock.h>
 
-#include <fstream>
+#include <array>
+#include <functional>
 #include <thread>
 
 #include "core/file.hpp"
@@ -136,6 +137,8 @@ TEST_P(HostInputTest, badFramesAreRefusedByName) {
     const gl::Texture small = makeTarget(gl(), {8, 8}, glm::vec4(0.0f));
     const gl::Texture integers(gl(), GL_RGBA8UI, picture.size(), 1, "integers");
     const gl::Texture array = gl::Texture::array(gl(), GL_RGBA8, picture.size(), 2, "array");
+    const gl::Texture unsignedNormals(gl(), GL_RG16, picture.size(), 1, "unsigned");
+    const gl::Texture signedNormals(gl(), GL_RG16_SNORM, picture.size(), 1, "signed");
     const gl::Texture encoded(gl(), GL_SRGB8_ALPHA8, picture.size(), 1, "encoded");
     const auto messageOf = [&](AreaLighting& lighting, const auto& spoil) {
         LightingFrame frame = picture.frame(target);
@@ -154,13 +157,22 @@ TEST_P(HostInputTest, badFramesAreRefusedByName) {
             "LightingTarget::texture to have the 40x24 pixels of LightingFrame::size or more, "
             "found 8x8");
     refused([&](Frame& f) { f.target.texture = integers.name(); }, "integers");
-    refused([&](Frame& f) { f.target.texture = array.name(); }, "GL_TEXTURE_2D");
+    refused([&](Frame& f) { f.target.texture = array.name(); }, "of GL_TEXTURE_2D_ARRAY");
     refused([](Frame& f) { f.target.texture = 4000; }, "none in the current context");
     refused([](Frame& f) { f.gbuffer.specular = 0; }, "GBufferTextureNames::specular, found 0");
     refused([&](Frame& f) { f.gbuffer.normal = small.name(); }, "as large as");
     refused([&](Frame& f) { f.gbuffer.depth = target.name(); }, "a depth format");
     refused([](Frame& f) { f.size = {41, 24}; }, "pixels of LightingFrame::size");
-    refused([](Frame& f) { f.camera = {}; }, "no error");
+    refused([](Frame& f) { f.camera = {}; }, "no camera was given: set LightingFrame::camera");
+    refused([&](Frame& f) { f.gbuffer.normal = unsignedNormals.name(); },
+            "GL_*_SNORM, found texture");
+    EXPECT_THAT(messageOf(fragment, [&](Frame& f) { f.gbuffer.normal = unsignedNormals.name(); }),
+                HasSubstr("of GL_RG16;"));
+    EXPECT_EQ(messageOf(fragment, [&](Frame& f) { f.gbuffer.normal = signedNormals.name(); }),
+              "no error");
+    refused([](Frame& f) { f.target.texture = f.gbuffer.emission; },
+            "for GBufferTextureNames::emission, too");
+    refused([](Frame& f) { f.target.framebuffer = 1; }, "found both");
     refused([](Frame& f) { f.camera.clipFromView[2][2] = NAN; }, "clipFromView to be finite");
     EXPECT_THAT(messageOf(fragment,
                           [](Frame& f) {
@@ -173,7 +185,7 @@ TEST_P(HostInputTest, badFramesAreRefusedByName) {
                           }),
                 HasSubstr("LightingTarget::texture for the compute stage"));
     EXPECT_THAT(messageOf(compute, [&](Frame& f) { f.target.texture = encoded.name(); }),
-                AllOf(HasSubstr("GL_RGBA16F"), HasSubstr("0x8c43")));
+                AllOf(HasSubstr("GL_RGBA16F"), HasSubstr("found GL_SRGB8_ALPHA8")));
     EXPECT_EQ(messageOf(fragment, [&](Frame& f) { f.target.texture = encoded.name(); }),
               "no error");
     AreaLighting sheen = make({.model = {.sheen = true}});
@@ -197,6 +209,91 @@ TEST_P(HostInputTest, framebuffersThatTakeNoColor) {
     EXPECT_EQ(messageOf(floats, GL_COLOR_ATTACHMENT0), "no error");
     EXPECT_THAT(messageOf(floats, GL_NONE), HasSubstr("to have a draw buffer 0, found none"));
     EXPECT_THAT(messageOf(integers, GL_COLOR_ATTACHMENT0), HasSubstr("found integers"));
+}
+
+TEST_P(HostInputTest, anIncompleteFramebufferIsNamed) {
+    const HostPicture picture(gl());
+    AreaLighting lighting = make();
+    GLuint name = 0;
+    gl().CreateFramebuffers(1, &name);
+    LightingFrame frame = picture.frame(makeTarget(gl(), picture.size(), glm::vec4(0.0f)));
+    frame.target = {0, name};
+    EXPECT_THAT(errorOf([&] { lighting.draw(frame); }),
+                HasSubstr("GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT"));
+    gl().DeleteFramebuffers(1, &name);
+}
+
+TEST_P(HostInputTest, anImageThatIsTooLargeChangesNothing) {
+    const HostPicture picture(gl());
+    AreaLighting lighting = make();
+    lighting.setLights(makeEveryLight());
+    const auto before = light(lighting, picture);
+    GLint most = 0;
+    gl().GetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    const auto imageOf = [](int width) {
+        const std::vector<glm::vec3> texels(static_cast<std::size_t>(width), glm::vec3(1.0f));
+        return std::make_shared<const LightImage>(LightImage{{width, 1}, texels});
+    };
+    LightSet lights = makeEveryLight();
+    lights.polygons[4].texture->image = imageOf(most + 1);
+    EXPECT_THAT(errorOf([&] { lighting.setLights(lights); }),
+                AllOf(HasSubstr("the image of polygon light 4"),
+                      HasSubstr(std::to_string(most) + " texels"), HasSubstr("GL_MAX_TEXTURE_SIZE"),
+                      HasSubstr(std::to_string(most + 1) + "x1")));
+    EXPECT_EQ(gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));
+    EXPECT_EQ(light(lighting, picture), before);
+    lights.polygons[4].texture->image = imageOf(most);
+    lighting.setLights(lights);
+}
+
+TEST_P(HostInputTest, everyCallNamesAContextThatIsNotCurrent) {
+    const HostPicture picture(gl());
+    const gl::Texture target = makeTarget(gl(), picture.size(), glm::vec4(0.0f));
+    AreaLighting lighting = make();
+    const LightSet lights = makeEveryLight();
+    lighting.setLights(lights);
+    const auto expectRefused = [&](const char* where) {
+        const std::function<void()> calls[] = {
+            [&] { lighting.setLights(lights); },
+            [&] { lighting.updatePolygons(0, lights.polygons); },
+            [&] { lighting.updateEllipses(0, lights.ellipses); },
+            [&] { lighting.updateSpheres(0, lights.spheres); },
+            [&] { lighting.updateTubes(0, lights.tubes); },
+            [&] { lighting.updatePunctuals(0, lights.punctuals); },
+            [&] { lighting.updateLightTexture(1, target.name()); },
+            [&] { lighting.setLobes(Lobes::all); },
+            [&] { lighting.draw(picture.frame(target)); },
+            [&] { lighting.gpuTimeSeconds(); }};
+        for (const auto& call : calls) {
+            EXPECT_THAT(errorOf(call), HasSubstr("the context that it was made in must be current"))
+                << where << ", call " << &call - calls;
+        }
+    };
+    {
+        // With so many objects that one has the name of any of ours.
+        const std::unique_ptr<Context> second = Context::create(GetParam());
+        std::array<GLuint, 16> names{};
+        second->functions().CreateFramebuffers(16, names.data());
+        AreaLighting there = make();
+        expectRefused("another context");
+        there.setLights(lights);
+        second->debugLog().checkNoErrors("the second context");
+    }
+    std::thread([&] { expectRefused("no context"); }).join();
+    context().makeCurrent();
+    lighting.draw(picture.frame(target));
+}
+
+TEST_P(HostInputTest, whatWasMovedFromSaysSo) {
+    const HostPicture picture(gl());
+    const gl::Texture target = makeTarget(gl(), picture.size(), glm::vec4(0.0f));
+    AreaLighting lighting = make();
+    const AreaLighting moved = std::move(lighting);
+    const char* message = "found one that has";
+    EXPECT_THAT(errorOf([&] { lighting.draw(picture.frame(target)); }), HasSubstr(message));
+    EXPECT_THAT(errorOf([&] { lighting.setLights({}); }), HasSubstr(message));
+    EXPECT_THAT(errorOf([&] { lighting.program(); }), HasSubstr(message));
+    EXPECT_EQ(moved.program(), 0u);
 }
 
 TEST_P(HostInputTest, nothingIsLeftBehind) {

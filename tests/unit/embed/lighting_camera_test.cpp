@@ -121,6 +121,50 @@ TEST(LightingCameraTest, depthOfASnippetMayBeOpenGlsOwn) {
                 HasSubstr("falls from 1, near, to 0, far"));
 }
 
+TEST(LightingCameraTest, depthFromMinusOneIsRefusedBothWays) {
+    const auto messageOf = [](const glm::dmat4& clipFromView) {
+        const LightingCamera camera{makeWorldFromView(), clipFromView};
+        return test::errorOf([&] { makeCameraData(camera, DepthUse::needed); });
+    };
+    glm::dmat4 infinite = infinitePerspective(0.2);
+    infinite[2][2] = 1.0;
+    for (const glm::dmat4& matrix :
+         {glm::perspectiveRH_NO(0.8, 1.6, 0.1, 100.0), glm::perspectiveRH_NO(0.8, 1.6, 100.0, 0.1),
+          glm::perspectiveRH_NO(0.8, 1.6, 10.0, 1.0),
+          glm::dmat4(glm::perspectiveRH_NO(0.8f, 1.6f, 1000.0f, 0.01f)), infinite}) {
+        EXPECT_THAT(messageOf(matrix),
+                    ::testing::AllOf(HasSubstr("glm::perspectiveRH_ZO()"),
+                                     HasSubstr("GLM_FORCE_DEPTH_ZERO_TO_ONE"),
+                                     HasSubstr("near and far swapped"), HasSubstr("glClipControl"),
+                                     HasSubstr("surfaceGlsl")));
+    }
+    // From 0, also with planes that are close to each other.
+    for (const double zFar : {1.2, 1.5, 2.1, 10.0, 1e6}) {
+        EXPECT_EQ(messageOf(glm::perspectiveRH_ZO(0.8, 1.6, zFar, 1.0)), "no error") << zFar;
+    }
+}
+
+TEST(LightingCameraTest, noCameraIsNoneForASnippetAlone) {
+    EXPECT_THAT(test::errorOf([] { makeCameraData({}, DepthUse::needed); }),
+                HasSubstr("no camera was given: set LightingFrame::camera"));
+    const shared::CameraData none = makeCameraData({}, DepthUse::optional);
+    EXPECT_EQ(none.clipFromWorld, glm::mat4(1.0f));
+    EXPECT_EQ(none.rayDirection, glm::vec4(0.0f, 0.0f, -1.0f, 0.0f));
+    EXPECT_THAT(
+        test::errorOf([] {
+            makeCameraData({glm::dmat4(0.0), reversedFrustum(0.5, 50.0)}, DepthUse::optional);
+        }),
+        HasSubstr("was not given"));
+}
+
+TEST(LightingCameraTest, aMatrixOfFloatsIsARotation) {
+    const glm::mat4 view =
+        glm::lookAt(glm::vec3(0.35f, 1.6f, 5.2f), glm::vec3(-0.05f, 0.98f, -0.6f),
+                    glm::normalize(glm::vec3(0.1f, 1.0f, 0.0f)));
+    const LightingCamera camera{glm::inverse(view), reversedFrustum(0.5, 50.0)};
+    EXPECT_LT(largestError(camera, 0.6, 40.0), kTolerance);
+}
+
 TEST(LightingCameraTest, clipFromWorldIsTheProduct) {
     const LightingCamera camera{makeWorldFromView(), reversedFrustum(0.5, 50.0)};
     const shared::CameraData data = makeCameraData(camera, DepthUse::needed);
@@ -153,6 +197,19 @@ TEST(LightingCameraTest, matricesThatAreNoCameraAreRefused) {
                 HasSubstr("worldFromView"));
     EXPECT_THAT(messageOf([](LightingCamera& c) { c.worldFromView[1] = c.worldFromView[0]; }),
                 HasSubstr("inverse"));
+    EXPECT_THAT(messageOf([](LightingCamera& c) {
+                    c.worldFromView = glm::scale(c.worldFromView, glm::dvec3(2.0, 1.0, 1.0));
+                }),
+                HasSubstr("a scale of (2, 1, 1)"));
+    EXPECT_THAT(messageOf([](LightingCamera& c) {
+                    c.worldFromView = glm::scale(c.worldFromView, glm::dvec3(1.002));
+                }),
+                HasSubstr("a scale of (1.002"));
+    EXPECT_THAT(messageOf([](LightingCamera& c) {
+                    c.worldFromView[0] =
+                        glm::normalize(c.worldFromView[0] + 0.01 * c.worldFromView[1]);
+                }),
+                HasSubstr("right angles"));
     EXPECT_THAT(messageOf([](LightingCamera& c) { c.clipFromView[0][3] = 0.1; }), HasSubstr("w"));
     EXPECT_THAT(messageOf([](LightingCamera& c) { c.clipFromView[2][3] = 1.0; }),
                 HasSubstr("look along -z"));

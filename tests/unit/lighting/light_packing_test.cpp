@@ -102,7 +102,7 @@ TEST(LightPackingTest, disksComeBeforeOtherEllipses) {
 
 TEST(LightPackingTest, roundLightOfNoSizeIsLeftOut) {
     EllipseLight line;
-    line.halfAxisY = line.halfAxisX;
+    line.halfAxisY = glm::vec3(0.0f);
     SphereLight dot;
     dot.radius = 0.0f;
     TubeLight thread;
