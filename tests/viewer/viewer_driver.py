@@ -93,8 +93,9 @@ class Viewer:
         with self.condition:
             return len(self.lines)
 
-    def wait(self, pattern, since=0, seconds=30.0):
-        """The match of the first line from `since` on that holds `pattern`, and when it came."""
+    def wait(self, pattern, since=0, seconds=150.0):
+        """The match of the first line from `since` on that holds `pattern`, and when it came. `seconds` ends a hang: the
+        reference works at low priority, and gets little of a machine that is busy."""
         end = time.monotonic() + seconds
         with self.condition:
             at = since
@@ -110,7 +111,7 @@ class Viewer:
                        f'expected a line with "{pattern}", found that the program has ended')
                 self.condition.wait(min(left, 0.5))
 
-    def rest(self, since=0, seconds=60.0):
+    def rest(self, since=0, seconds=150.0):
         """Waits for the picture to be complete: (width, height), EV, eye, index of the scene's camera or None."""
         match, _ = self.wait(r"at rest: (\d+)x(\d+), \d+ samples, EV (\S+), eye \((\S+), (\S+), (\S+)\)(?:, camera (\d+))?",
                              since, seconds)
