@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Polylume authors
 # SPDX-License-Identifier: MIT
 
-# polylume_add_test(NAME LABEL unit|gl|image|cli SOURCES ... LIBRARIES ...): a GoogleTest program whose tests run
+# polylume_add_test(NAME LABEL unit|gl|image|cli|viewer SOURCES ... LIBRARIES ...): a GoogleTest program whose tests run
 # one by one through ctest. They find files of the repository by the macro POLYLUME_SOURCE_DIR, the built command by
 # POLYLUME_COMMAND, and may leave files in the folder that they run in.
 function(polylume_add_test name)
