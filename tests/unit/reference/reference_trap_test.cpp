@@ -74,7 +74,7 @@ const std::vector<Trap> kTraps = {
      [](auto&, auto& o) {
          PunctualLight lamp;
          lamp.intensity = glm::vec3(1000.0f);
-         lamp.range = 0.0f;
+         lamp.range = 1e-30f;
          o.extraLights.punctuals = {lamp};
          lamp.range = INFINITY;
          lamp.kind = PunctualLightKind::spot;
