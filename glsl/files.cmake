@@ -16,6 +16,7 @@ set(POLYLUME_GLSL_FILES
     lighting/lobes.glsl
     lighting/picture.glsl
     lighting/punctual.glsl
+    lighting/read_lights.glsl
     lighting/round.glsl
     lighting/shade.glsl
     lighting/sheen.glsl

@@ -26,7 +26,7 @@ constexpr std::array kDrawUnits = {Unit{0, GL_TEXTURE_2D},
                                    Unit{3, GL_TEXTURE_2D},
                                    Unit{4, GL_TEXTURE_2D},
                                    Unit{5, GL_TEXTURE_2D},
-                                   Unit{shared::kPolygonVertexUnit, GL_TEXTURE_BUFFER},
+                                   Unit{shared::kLightUnit, GL_TEXTURE_BUFFER},
                                    Unit{shared::kSpecularTableUnit, GL_TEXTURE_2D_ARRAY},
                                    Unit{shared::kDiffuseTableUnit, GL_TEXTURE_2D_ARRAY},
                                    Unit{shared::kSheenTableUnit, GL_TEXTURE_2D_ARRAY},
@@ -42,7 +42,7 @@ constexpr std::array kDrawBlocks = {Block{GL_UNIFORM_BUFFER, shared::kCameraBind
                                     Block{GL_SHADER_STORAGE_BUFFER, 6},
                                     Block{GL_SHADER_STORAGE_BUFFER, 7}};
 static_assert(kDrawBlocks.size() == 2 + shared::kStorageBindingCount);
-static_assert(kDrawUnits[kGBufferAttachments.size()].unit == shared::kPolygonVertexUnit);
+static_assert(kDrawUnits[kGBufferAttachments.size()].unit == shared::kLightUnit);
 
 /// What filtering of lights' images binds.
 constexpr std::array kFilterUnits = {Unit{shared::kLightImageUnit, GL_TEXTURE_2D_ARRAY},

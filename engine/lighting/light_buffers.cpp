@@ -3,36 +3,86 @@
 
 #include "lighting/light_buffers.hpp"
 
-#include <array>
+#include <algorithm>
+#include <cstring>
 #include <span>
+
+#include "core/text.hpp"
+#include "polylume/error.hpp"
 
 namespace polylume {
 namespace {
 
-template <typename Data>
-gl::Buffer makeBuffer(const gl::Functions& gl, const std::vector<Data>& data, const char* label) {
-    return {gl, gl::bytesOf(data), GL_DYNAMIC_STORAGE_BIT, label};
-}
-
-/// Writes elements `first` up to `end`.
-template <typename Data>
-void write(gl::Buffer& buffer, const std::vector<Data>& data, std::size_t first, std::size_t end) {
-    buffer.update(std::as_bytes(std::span(data).subspan(first, end - first)), first * sizeof(Data));
-}
+constexpr std::size_t kTexelBytes = sizeof(glm::vec4);
+/// Storage blocks begin at multiples of 256 bytes at most (OpenGL 4.5, table 23.64).
+constexpr std::uint32_t kAlignment = 256 / kTexelBytes;
 
 }  // namespace
 
+LightBuffers::Sections LightBuffers::makeSections(
+    const PackedLights& packed, const std::vector<shared::LightTextureData>& textures) {
+    Sections sections;
+    std::uint32_t next = 0;
+    const auto add = [&](std::uint32_t binding, const auto& data) {
+        using Data = typename std::decay_t<decltype(data)>::value_type;
+        static_assert(sizeof(Data) % kTexelBytes == 0);
+        const auto count = static_cast<std::uint32_t>(data.size() * sizeof(Data) / kTexelBytes);
+        // A block that is bound has bytes.
+        sections[binding] = {next, std::max(count, 1u)};
+        next += (sections[binding].count + kAlignment - 1) / kAlignment * kAlignment;
+    };
+    add(shared::kParallelogramBinding, packed.parallelograms);
+    add(shared::kPolygonBinding, packed.polygons);
+    add(shared::kPolygonVertexBinding, packed.polygonVertices);
+    add(shared::kPunctualBinding, packed.punctuals);
+    add(shared::kEllipseBinding, packed.ellipses);
+    add(shared::kSphereBinding, packed.spheres);
+    add(shared::kTubeBinding, packed.tubes);
+    add(shared::kLightTextureBinding, textures);
+    return sections;
+}
+
+std::uint32_t LightBuffers::texelCount(const Sections& sections) {
+    const Section& last = sections[shared::kLightTextureBinding];
+    return last.first + last.count;
+}
+
+void LightBuffers::checkTexelCount(const gl::Functions& gl, const Sections& sections) {
+    GLint most = 0;
+    gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+    if (texelCount(sections) <= static_cast<std::uint32_t>(most)) return;
+    throw Error(concat("expected all lights together to take at most ", most,
+                       " texels, which is this driver's limit, found ", texelCount(sections),
+                       " (up to 5 for a light, and 1 for a polygon's vertex): leave out vertices "
+                       "or lights"));
+}
+
+template <typename Data>
+void LightBuffers::write(std::uint32_t binding, const std::vector<Data>& data, std::size_t first,
+                         std::size_t end) {
+    buffer_.update(std::as_bytes(std::span(data).subspan(first, end - first)),
+                   sections_[binding].first * kTexelBytes + first * sizeof(Data));
+}
+
 LightBuffers::LightBuffers(const gl::Functions& gl, const PackedLights& packed,
                            const std::vector<shared::LightTextureData>& textures)
-    : parallelograms_(makeBuffer(gl, packed.parallelograms, "parallelogram lights")),
-      polygons_(makeBuffer(gl, packed.polygons, "polygon lights")),
-      polygonVertices_(makeBuffer(gl, packed.polygonVertices, "polygon light vertices")),
-      polygonVertexTexels_(gl, GL_RGBA32F, polygonVertices_, "polygon light vertices"),
-      punctuals_(makeBuffer(gl, packed.punctuals, "punctual lights")),
-      ellipses_(makeBuffer(gl, packed.ellipses, "ellipse lights")),
-      spheres_(makeBuffer(gl, packed.spheres, "sphere lights")),
-      tubes_(makeBuffer(gl, packed.tubes, "tube lights")),
-      textures_(makeBuffer(gl, textures, "light textures")) {}
+    : sections_(makeSections(packed, textures)) {
+    checkTexelCount(gl, sections_);
+    const std::vector<std::byte> zeros(texelCount(sections_) * kTexelBytes);
+    buffer_ = gl::Buffer(gl, zeros, GL_DYNAMIC_STORAGE_BIT, "lights");
+    texels_ = gl::BufferTexture(gl, GL_RGBA32UI, buffer_, "lights");
+    const auto writeAll = [&](std::uint32_t binding, const auto& data) {
+        write(binding, data, 0, data.size());
+    };
+    writeAll(shared::kParallelogramBinding, packed.parallelograms);
+    writeAll(shared::kPolygonBinding, packed.polygons);
+    writeAll(shared::kPolygonVertexBinding, packed.polygonVertices);
+    writeAll(shared::kPunctualBinding, packed.punctuals);
+    writeAll(shared::kEllipseBinding, packed.ellipses);
+    writeAll(shared::kSphereBinding, packed.spheres);
+    writeAll(shared::kTubeBinding, packed.tubes);
+    writeAll(shared::kLightTextureBinding, textures);
+}
 
 void LightBuffers::update(const PackedLights& packed, LightKind kind, const SlotRange& slots) {
     if (slots.end == 0) return;
@@ -42,46 +92,46 @@ void LightBuffers::update(const PackedLights& packed, LightKind kind, const Slot
         case LightKind::triangle:
         case LightKind::polygon:
         case LightKind::texturedPolygon: {
-            write(polygons_, packed.polygons, slots.first, slots.end);
+            write(shared::kPolygonBinding, packed.polygons, slots.first, slots.end);
             const shared::PolygonData& last = packed.polygons[slots.end - 1];
-            write(polygonVertices_, packed.polygonVertices, packed.polygons[slots.first].vertices.x,
-                  last.vertices.x + last.vertices.y);
+            write(shared::kPolygonVertexBinding, packed.polygonVertices,
+                  packed.polygons[slots.first].vertices.x, last.vertices.x + last.vertices.y);
             return;
         }
         case LightKind::parallelogram:
         case LightKind::texturedParallelogram:
-            return write(parallelograms_, packed.parallelograms, slots.first, slots.end);
+            return write(shared::kParallelogramBinding, packed.parallelograms, slots.first,
+                         slots.end);
         case LightKind::disk:
         case LightKind::ellipse:
-            return write(ellipses_, packed.ellipses, slots.first, slots.end);
+            return write(shared::kEllipseBinding, packed.ellipses, slots.first, slots.end);
         case LightKind::sphere:
-            return write(spheres_, packed.spheres, slots.first, slots.end);
+            return write(shared::kSphereBinding, packed.spheres, slots.first, slots.end);
         case LightKind::tube:
-            return write(tubes_, packed.tubes, slots.first, slots.end);
+            return write(shared::kTubeBinding, packed.tubes, slots.first, slots.end);
         case LightKind::punctual:
-            return write(punctuals_, packed.punctuals, slots.first, slots.end);
+            return write(shared::kPunctualBinding, packed.punctuals, slots.first, slots.end);
     }
 }
 
 void LightBuffers::update(const std::vector<shared::LightTextureData>& textures,
                           const SlotRange& slots) {
-    if (slots.end > 0) write(textures_, textures, slots.first, slots.end);
+    if (slots.end > 0) write(shared::kLightTextureBinding, textures, slots.first, slots.end);
 }
 
 void LightBuffers::bind(const gl::Functions& gl) const {
-    // In the order of their bindings.
-    static_assert(shared::kParallelogramBinding == 0 && shared::kPolygonBinding == 1 &&
-                  shared::kPolygonVertexBinding == 2 && shared::kPunctualBinding == 3 &&
-                  shared::kEllipseBinding == 4 && shared::kSphereBinding == 5 &&
-                  shared::kTubeBinding == 6 && shared::kLightTextureBinding == 7);
-    const std::array names = {parallelograms_.name(), polygons_.name(), polygonVertices_.name(),
-                              punctuals_.name(),      ellipses_.name(), spheres_.name(),
-                              tubes_.name(),          textures_.name()};
-    static_assert(names.size() == shared::kStorageBindingCount);
-    gl.BindBuffersBase(GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizei>(names.size()),
-                       names.data());
-    gl.BindTextureUnit(shared::kPolygonVertexUnit, polygonVertexTexels_.name());
-    gl.BindSampler(shared::kPolygonVertexUnit, 0);
+    std::array<GLuint, shared::kStorageBindingCount> names{};
+    std::array<GLintptr, shared::kStorageBindingCount> offsets{};
+    std::array<GLsizeiptr, shared::kStorageBindingCount> sizes{};
+    for (std::size_t i = 0; i < sections_.size(); ++i) {
+        names[i] = buffer_.name();
+        offsets[i] = static_cast<GLintptr>(sections_[i].first * kTexelBytes);
+        sizes[i] = static_cast<GLsizeiptr>(sections_[i].count * kTexelBytes);
+    }
+    gl.BindBuffersRange(GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizei>(names.size()),
+                        names.data(), offsets.data(), sizes.data());
+    gl.BindTextureUnit(shared::kLightUnit, texels_.name());
+    gl.BindSampler(shared::kLightUnit, 0);
 }
 
 }  // namespace polylume

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "gl/objects.hpp"
@@ -21,10 +23,12 @@ struct SlotRange {
     }
 };
 
-/// PackedLights on the GPU. Every call needs the context current that it was made in.
+/// PackedLights on the GPU: one buffer with a section for each list, read as texels and, section by
+/// section, as storage blocks. Every call needs the context current that it was made in.
 class LightBuffers {
   public:
     LightBuffers() = default;
+    /// Throws Error where the driver reads fewer texels than there are.
     LightBuffers(const gl::Functions& gl, const PackedLights& packed,
                  const std::vector<shared::LightTextureData>& textures);
 
@@ -37,16 +41,30 @@ class LightBuffers {
     /// stay.
     void bind(const gl::Functions& gl) const;
 
+    /// The texel that the section of a storage block's `binding` begins at.
+    std::uint32_t firstTexel(std::uint32_t binding) const { return sections_[binding].first; }
+
   private:
-    gl::Buffer parallelograms_;
-    gl::Buffer polygons_;
-    gl::Buffer polygonVertices_;
-    gl::BufferTexture polygonVertexTexels_;
-    gl::Buffer punctuals_;
-    gl::Buffer ellipses_;
-    gl::Buffer spheres_;
-    gl::Buffer tubes_;
-    gl::Buffer textures_;
+    /// In texels, each of them a vec4.
+    struct Section {
+        std::uint32_t first = 0;
+        std::uint32_t count = 0;
+    };
+    /// By the bindings of their storage blocks.
+    using Sections = std::array<Section, shared::kStorageBindingCount>;
+
+    static Sections makeSections(const PackedLights& packed,
+                                 const std::vector<shared::LightTextureData>& textures);
+    static std::uint32_t texelCount(const Sections& sections);
+    static void checkTexelCount(const gl::Functions& gl, const Sections& sections);
+    /// Writes elements `first` up to `end` of a section.
+    template <typename Data>
+    void write(std::uint32_t binding, const std::vector<Data>& data, std::size_t first,
+               std::size_t end);
+
+    Sections sections_;
+    gl::Buffer buffer_;
+    gl::BufferTexture texels_;
 };
 
 }  // namespace polylume

@@ -12,16 +12,6 @@
 namespace polylume {
 namespace {
 
-/// The shaders read the vertices of polygons as texels, of which a driver has a limit.
-void checkVertexCount(const gl::Functions& gl, std::size_t count) {
-    GLint most = 0;
-    gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
-    if (count <= static_cast<std::size_t>(most)) return;
-    throw Error(concat("expected all polygon lights together to have at most ", most,
-                       " vertices, which is this driver's limit, found ", count,
-                       ": leave out vertices or lights"));
-}
-
 /// Tells the packed lights where their images are. Returns what textured polygons have of their
 /// own.
 std::vector<shared::LightTextureData> placeImages(const std::vector<TexturedLight>& lights,
@@ -63,7 +53,6 @@ PreparedLights LightingResources::prepare(LightSet lights) {
     PreparedLights prepared;
     prepared.packed = packLights(lights);
     PackedLights& packed = prepared.packed;
-    checkVertexCount(gl_, packed.polygonVertices.size());
     if (!packed.texturedLights.empty() && !imagePrograms_) {
         imagePrograms_ = std::make_shared<LightImagePrograms>(gl_, library_);
     }
@@ -164,6 +153,14 @@ void LightingResources::uploadSettings() {
                                0};
     data.roundLightCount = {packed.ellipses.size(), packed.spheres.size(), packed.tubes.size(),
                             packed.diskCount};
+    const LightBuffers& buffers = inUse_.buffers;
+    data.firstTexel = {buffers.firstTexel(shared::kParallelogramBinding),
+                       buffers.firstTexel(shared::kPolygonBinding),
+                       buffers.firstTexel(shared::kPolygonVertexBinding),
+                       buffers.firstTexel(shared::kLightTextureBinding)};
+    data.firstRoundTexel = {buffers.firstTexel(shared::kEllipseBinding),
+                            buffers.firstTexel(shared::kSphereBinding),
+                            buffers.firstTexel(shared::kTubeBinding), 0};
     data.textureScale = {1.0 / images.size(), images.levelCount() - 1, 0, 0};
     data.lobeWeight = {lobes_ != Lobes::specular, lobes_ != Lobes::diffuse, lobes_ == Lobes::all,
                        packed.flatScale};

@@ -3,6 +3,7 @@
 
 #include "lighting/flat.glsl"
 #include "lighting/lobes.glsl"
+#include "lighting/read_lights.glsl"
 #include "lighting/round.glsl"
 #include "lighting/textured.glsl"
 #include "surface/surface.glsl"
@@ -28,64 +29,73 @@ void addAreaLights(Surface surface, SurfaceLobes lobes, inout Reflection reflect
     // asks at its beginning once more, only to find that it is over.
 #ifdef POLYLUME_PARALLELOGRAM_LIGHTS
     uint parallelogram = 0u;
+    uint parallelogramEnd = lighting.lightCount.x;
     do {
         vec2 factors = parallelogramFactors(parallelogram, position, scaled);
-        addLight(factors, parallelograms[parallelogram].radiance.rgb, sum);
-    } while (++parallelogram < lighting.lightCount.x);
+        addLight(factors, parallelogramLight(parallelogram).radiance.rgb, sum);
+    } while (++parallelogram < parallelogramEnd);
 #endif
 #ifdef POLYLUME_TRIANGLE_LIGHTS
     uint triangle = 0u;
+    uint triangleEnd = lighting.lightCount.w;
     do {
-        addLight(triangleFactors(triangle, position, scaled), polygons[triangle].radiance.rgb, sum);
-    } while (++triangle < lighting.lightCount.w);
+        addLight(triangleFactors(triangle, position, scaled), polygonLight(triangle).radiance.rgb, sum);
+    } while (++triangle < triangleEnd);
 #endif
 #ifdef POLYLUME_POLYGON_LIGHTS
     uint polygon = lighting.lightCount.w;
+    uint polygonEnd = lighting.lightCount.y;
     do {
-        addLight(polygonFactors(polygon, position, scaled), polygons[polygon].radiance.rgb, sum);
-    } while (++polygon < lighting.lightCount.y);
+        addLight(polygonFactors(polygon, position, scaled), polygonLight(polygon).radiance.rgb, sum);
+    } while (++polygon < polygonEnd);
 #endif
 #ifdef POLYLUME_TEXTURED_PARALLELOGRAM_LIGHTS
     uint texturedParallelogram = lighting.lightCount.x;
+    uint texturedParallelogramEnd = lighting.lightCount.x + lighting.texturedLightCount.x;
     do {
-        ParallelogramData light = parallelograms[texturedParallelogram];
+        ParallelogramData light = parallelogramLight(texturedParallelogram);
         LightColors colors = texturedParallelogramColors(light, position, scaled);
         sum.diffuse += light.radiance.rgb * colors.diffuse;
         sum.specular += light.radiance.rgb * colors.specular;
-    } while (++texturedParallelogram < lighting.lightCount.x + lighting.texturedLightCount.x);
+    } while (++texturedParallelogram < texturedParallelogramEnd);
 #endif
 #ifdef POLYLUME_TEXTURED_POLYGON_LIGHTS
     uint textured = 0u;
+    uint texturedEnd = lighting.texturedLightCount.y;
     do {
         uint index = lighting.lightCount.y + textured;
-        LightColors colors = texturedPolygonColors(index, lightTextures[textured], position, scaled);
-        sum.diffuse += polygons[index].radiance.rgb * colors.diffuse;
-        sum.specular += polygons[index].radiance.rgb * colors.specular;
-    } while (++textured < lighting.texturedLightCount.y);
+        LightColors colors = texturedPolygonColors(index, lightTexture(textured), position, scaled);
+        sum.diffuse += polygonLight(index).radiance.rgb * colors.diffuse;
+        sum.specular += polygonLight(index).radiance.rgb * colors.specular;
+    } while (++textured < texturedEnd);
 #endif
 #ifdef POLYLUME_DISK_LIGHTS
     uint disk = 0u;
+    uint diskEnd = lighting.roundLightCount.w;
     do {
-        addLight(diskFactors(disk, position, lobes), ellipses[disk].radiance.rgb, sum);
-    } while (++disk < lighting.roundLightCount.w);
+        addLight(diskFactors(disk, position, lobes), ellipseLight(disk).radiance.rgb, sum);
+    } while (++disk < diskEnd);
 #endif
 #ifdef POLYLUME_ELLIPSE_LIGHTS
     uint ellipse = lighting.roundLightCount.w;
+    uint ellipseEnd = lighting.roundLightCount.x;
     do {
-        addLight(ellipseFactors(ellipse, position, lobes), ellipses[ellipse].radiance.rgb, sum);
-    } while (++ellipse < lighting.roundLightCount.x);
+        addLight(ellipseFactors(ellipse, position, lobes), ellipseLight(ellipse).radiance.rgb, sum);
+    } while (++ellipse < ellipseEnd);
 #endif
 #ifdef POLYLUME_SPHERE_LIGHTS
     uint sphere = 0u;
+    uint sphereEnd = lighting.roundLightCount.y;
     do {
-        addLight(sphereFactors(sphere, position, lobes), spheres[sphere].radiance.rgb, sum);
-    } while (++sphere < lighting.roundLightCount.y);
+        addLight(sphereFactors(sphere, position, lobes), sphereLight(sphere).radiance.rgb, sum);
+    } while (++sphere < sphereEnd);
 #endif
 #ifdef POLYLUME_TUBE_LIGHTS
     uint tube = 0u;
+    uint tubeEnd = lighting.roundLightCount.z;
     do {
-        addLight(tubeFactors(tube, position, lobes), tubes[tube].radiance.rgb, sum);
-    } while (++tube < lighting.roundLightCount.z);
+        addLight(tubeFactors(tube, position, lobes), tubeLight(tube).radiance.rgb, sum);
+    } while (++tube < tubeEnd);
 #endif
     reflection.diffuse += lobes.diffuseAlbedo * sum.diffuse;
     reflection.specular += lobes.reflectance * sum.specular;

@@ -3,6 +3,7 @@
 
 #include "lighting/light.glsl"
 #include "lighting/lobes.glsl"
+#include "lighting/read_lights.glsl"
 #include "ltc/parallelogram.glsl"
 // Includes are resolved before conditions are: what both sides need comes first.
 #if defined(POLYLUME_POLYGON_LIGHTS) || defined(POLYLUME_TEXTURED_POLYGON_LIGHTS)
@@ -25,7 +26,7 @@ SurfaceLobes flatLobes(SurfaceLobes surface) {
 /// Parallelogram light `index` as the point sees it, and how it counts: 1 from the side that emits, -1 from the back of
 /// one that emits from both, else 0.
 LtcParallelogram clippedParallelogram(uint index, vec3 positionWorld, mat3 frameFromWorld, out float side) {
-    ParallelogramData light = parallelograms[index];
+    ParallelogramData light = parallelogramLight(index);
     vec3 corner = light.corner.xyz - positionWorld;
     side = lightSide(-dot(light.normal.xyz, corner), largestOf(corner), light.corner.w);
     return ltcClipParallelogram(frameFromWorld * corner, frameFromWorld * light.edgeX.xyz,
@@ -46,14 +47,10 @@ float parallelogramLobeFactor(uint index, vec3 positionWorld, mat3 frameFromWorl
     return side * ltcLobeFactor(outline, lobe);
 }
 
-/// Vertex `i` of all polygons, as polygonVertices has them. llvmpipe reads a texel several times faster than four values of
-/// a buffer.
-vec4 polygonVertex(uint i) { return texelFetch(polygonVertexTexels, int(i)); }
-
 #ifdef POLYLUME_TRIANGLE_LIGHTS
 /// Polygon light `index`, which has three vertices, as clippedParallelogram().
 LtcTriangle clippedTriangle(uint index, vec3 positionWorld, mat3 frameFromWorld, out float side) {
-    PolygonData light = polygons[index];
+    PolygonData light = polygonLight(index);
     uint first = light.vertices.x;
     vec3 vertex = polygonVertex(first).xyz;
     vec3 corner = vertex - positionWorld;
@@ -97,7 +94,7 @@ PolygonView polygonView(PolygonData light, vec3 offset, mat3 frameFromWorld) {
 }
 
 vec2 polygonFactors(uint index, vec3 positionWorld, SurfaceLobes surface) {
-    PolygonData light = polygons[index];
+    PolygonData light = polygonLight(index);
     uint i = light.vertices.x;
     uint end = i + light.vertices.y;
     vec4 begin = polygonVertex(i);
@@ -124,7 +121,7 @@ vec2 polygonFactors(uint index, vec3 positionWorld, SurfaceLobes surface) {
 }
 
 float polygonLobeFactor(uint index, vec3 positionWorld, mat3 frameFromWorld, LtcLobe lobe) {
-    PolygonData light = polygons[index];
+    PolygonData light = polygonLight(index);
     uint i = light.vertices.x;
     uint end = i + light.vertices.y;
     vec4 begin = polygonVertex(i);

@@ -3,6 +3,7 @@
 
 #include "lighting/light.glsl"
 #include "lighting/lobes.glsl"
+#include "lighting/read_lights.glsl"
 // Includes are resolved before conditions are: a shader without such lights leaves their functions unused.
 #include "ltc/disk.glsl"
 #include "ltc/ellipse.glsl"
@@ -14,7 +15,7 @@
 #if defined(POLYLUME_DISK_LIGHTS) || defined(POLYLUME_ELLIPSE_LIGHTS)
 /// Ellipse light `index` as the point sees it, and whether it does: 1 or 0.
 LtcEllipse ellipseOf(uint index, vec3 positionWorld, mat3 frameFromWorld, out float side) {
-    EllipseData light = ellipses[index];
+    EllipseData light = ellipseLight(index);
     vec3 center = light.center.xyz - positionWorld;
     float height = -dot(light.normal.xyz, center);
     side = abs(lightSide(height, largestOf(center), light.center.w));
@@ -56,7 +57,7 @@ float ellipseLobeFactor(uint index, vec3 positionWorld, mat3 frameFromWorld, Ltc
 
 #ifdef POLYLUME_SPHERE_LIGHTS
 vec2 sphereFactors(uint index, vec3 positionWorld, SurfaceLobes surface) {
-    SphereData light = spheres[index];
+    SphereData light = sphereLight(index);
     vec3 center = light.center.xyz - positionWorld;
     LtcEllipse ellipse = ltcEllipseOfSphere(surface.frameFromWorld * center, light.center.w);
     bool isInside = dot(center, center) < light.center.w * light.center.w;
@@ -69,7 +70,7 @@ vec2 sphereFactors(uint index, vec3 positionWorld, SurfaceLobes surface) {
 }
 
 float sphereLobeFactor(uint index, vec3 positionWorld, mat3 frameFromWorld, LtcLobe lobe) {
-    SphereData light = spheres[index];
+    SphereData light = sphereLight(index);
     vec3 center = light.center.xyz - positionWorld;
     LtcEllipse ellipse = ltcEllipseOfSphere(frameFromWorld * center, light.center.w);
     bool isInside = dot(center, center) < light.center.w * light.center.w;
@@ -79,7 +80,7 @@ float sphereLobeFactor(uint index, vec3 positionWorld, mat3 frameFromWorld, LtcL
 
 #ifdef POLYLUME_TUBE_LIGHTS
 vec2 tubeFactors(uint index, vec3 positionWorld, SurfaceLobes surface) {
-    TubeData light = tubes[index];
+    TubeData light = tubeLight(index);
     LtcTube tube = ltcTube(surface.frameFromWorld * (light.start.xyz - positionWorld),
                            surface.frameFromWorld * light.axis.xyz, light.start.w);
     LtcTubeClip clip = ltcClipTube(tube);
@@ -92,7 +93,7 @@ vec2 tubeFactors(uint index, vec3 positionWorld, SurfaceLobes surface) {
 }
 
 float tubeLobeFactor(uint index, vec3 positionWorld, mat3 frameFromWorld, LtcLobe lobe) {
-    TubeData light = tubes[index];
+    TubeData light = tubeLight(index);
     LtcTube tube = ltcTube(frameFromWorld * (light.start.xyz - positionWorld), frameFromWorld * light.axis.xyz,
                            light.start.w);
     return tube.isInside ? light.radiance.w * ltcFullFactor(lobe) : ltcLobeFactor(tube, ltcClipTube(tube), lobe);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "lighting/flat.glsl"
+#include "lighting/read_lights.glsl"
 #include "lighting/round.glsl"
 #include "lighting/textured.glsl"
 #include "ltc/lobe.glsl"
@@ -28,55 +29,63 @@ void addSheen(Surface surface, mat3 frameFromWorld, inout Reflection reflection,
         mat3 scaledFrame = lighting.lobeWeight.w * frameFromWorld;
 #ifdef POLYLUME_PARALLELOGRAM_LIGHTS
         uint parallelogram = 0u;
+        uint parallelogramEnd = lighting.lightCount.x;
         do {
             addLobe(parallelogramLobeFactor(parallelogram, position, scaledFrame, lobe),
-                    parallelograms[parallelogram].radiance.rgb, sum);
-        } while (++parallelogram < lighting.lightCount.x);
+                    parallelogramLight(parallelogram).radiance.rgb, sum);
+        } while (++parallelogram < parallelogramEnd);
 #endif
 #ifdef POLYLUME_TRIANGLE_LIGHTS
         uint triangle = 0u;
+        uint triangleEnd = lighting.lightCount.w;
         do {
-            addLobe(triangleLobeFactor(triangle, position, scaledFrame, lobe), polygons[triangle].radiance.rgb, sum);
-        } while (++triangle < lighting.lightCount.w);
+            addLobe(triangleLobeFactor(triangle, position, scaledFrame, lobe), polygonLight(triangle).radiance.rgb, sum);
+        } while (++triangle < triangleEnd);
 #endif
 #ifdef POLYLUME_POLYGON_LIGHTS
         uint polygon = lighting.lightCount.w;
+        uint polygonEnd = lighting.lightCount.y;
         do {
-            addLobe(polygonLobeFactor(polygon, position, scaledFrame, lobe), polygons[polygon].radiance.rgb, sum);
-        } while (++polygon < lighting.lightCount.y);
+            addLobe(polygonLobeFactor(polygon, position, scaledFrame, lobe), polygonLight(polygon).radiance.rgb, sum);
+        } while (++polygon < polygonEnd);
 #endif
 #ifdef POLYLUME_TEXTURED_PARALLELOGRAM_LIGHTS
         uint texturedParallelogram = lighting.lightCount.x;
+        uint texturedParallelogramEnd = lighting.lightCount.x + lighting.texturedLightCount.x;
         do {
-            ParallelogramData light = parallelograms[texturedParallelogram];
+            ParallelogramData light = parallelogramLight(texturedParallelogram);
             sum += light.radiance.rgb * texturedParallelogramLobeColor(light, position, scaledFrame, lobe);
-        } while (++texturedParallelogram < lighting.lightCount.x + lighting.texturedLightCount.x);
+        } while (++texturedParallelogram < texturedParallelogramEnd);
 #endif
 #ifdef POLYLUME_TEXTURED_POLYGON_LIGHTS
         uint textured = 0u;
+        uint texturedEnd = lighting.texturedLightCount.y;
         do {
             uint index = lighting.lightCount.y + textured;
-            sum += polygons[index].radiance.rgb * texturedPolygonLobeColor(index, lightTextures[textured], position,
+            sum += polygonLight(index).radiance.rgb * texturedPolygonLobeColor(index, lightTexture(textured), position,
                                                                            scaledFrame, lobe, kDiffuseVariance);
-        } while (++textured < lighting.texturedLightCount.y);
+        } while (++textured < texturedEnd);
 #endif
 #if defined(POLYLUME_DISK_LIGHTS) || defined(POLYLUME_ELLIPSE_LIGHTS)
         uint ellipse = 0u;
+        uint ellipseEnd = lighting.roundLightCount.x;
         do {
-            addLobe(ellipseLobeFactor(ellipse, position, frameFromWorld, lobe), ellipses[ellipse].radiance.rgb, sum);
-        } while (++ellipse < lighting.roundLightCount.x);
+            addLobe(ellipseLobeFactor(ellipse, position, frameFromWorld, lobe), ellipseLight(ellipse).radiance.rgb, sum);
+        } while (++ellipse < ellipseEnd);
 #endif
 #ifdef POLYLUME_SPHERE_LIGHTS
         uint sphere = 0u;
+        uint sphereEnd = lighting.roundLightCount.y;
         do {
-            addLobe(sphereLobeFactor(sphere, position, frameFromWorld, lobe), spheres[sphere].radiance.rgb, sum);
-        } while (++sphere < lighting.roundLightCount.y);
+            addLobe(sphereLobeFactor(sphere, position, frameFromWorld, lobe), sphereLight(sphere).radiance.rgb, sum);
+        } while (++sphere < sphereEnd);
 #endif
 #ifdef POLYLUME_TUBE_LIGHTS
         uint tube = 0u;
+        uint tubeEnd = lighting.roundLightCount.z;
         do {
-            addLobe(tubeLobeFactor(tube, position, frameFromWorld, lobe), tubes[tube].radiance.rgb, sum);
-        } while (++tube < lighting.roundLightCount.z);
+            addLobe(tubeLobeFactor(tube, position, frameFromWorld, lobe), tubeLight(tube).radiance.rgb, sum);
+        } while (++tube < tubeEnd);
 #endif
     }
     reflection.sheen += albedo * sum;

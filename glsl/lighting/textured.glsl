@@ -5,6 +5,7 @@
 #include "lighting/light.glsl"
 #include "lighting/light_image.glsl"
 #include "lighting/lobes.glsl"
+#include "lighting/read_lights.glsl"
 #include "ltc/seen_parallelogram.glsl"
 #include "ltc/seen_polygon.glsl"
 
@@ -143,7 +144,7 @@ LtcMoments texturedPolygonMoments(PolygonData light, vec3 positionWorld, mat3 fr
 /// What the lobe sees of polygon light `index`.
 LtcSight texturedPolygonSight(uint index, LightTextureData data, vec3 positionWorld, mat3 frameFromWorld, LtcLobe lobe) {
     float factor = polygonLobeFactor(index, positionWorld, frameFromWorld, lobe);
-    LtcMoments moments = texturedPolygonMoments(polygons[index], positionWorld, frameFromWorld, lobe, factor);
+    LtcMoments moments = texturedPolygonMoments(polygonLight(index), positionWorld, frameFromWorld, lobe, factor);
     vec3 corner = frameFromWorld * (data.corner.xyz - positionWorld);
     LtcFrame frame =
         ltcFrame(ltcTransformVector(lobe, corner), ltcTransformVector(lobe, frameFromWorld * data.edgeX.xyz),

@@ -16,7 +16,7 @@ const uint kEllipseBinding = 4;
 const uint kSphereBinding = 5;
 const uint kTubeBinding = 6;
 const uint kStorageBindingCount = 8;  // With kLightTextureBinding (shared/light_texture_data.h).
-const uint kPolygonVertexUnit = 9;
+const uint kLightUnit = 9;
 const uint kSpecularTableUnit = 10;
 const uint kDiffuseTableUnit = 11;
 const uint kSheenTableUnit = 12;
@@ -27,6 +27,8 @@ struct LightingData {
                                ///< the first ones.
     uvec4 roundLightCount;     ///< Ellipses, spheres, tubes; w: how many of the ellipses are disks, the first ones.
     uvec4 texturedLightCount;  ///< Parallelograms and polygons after those that lightCount counts; zw unused.
+    uvec4 firstTexel;       ///< In lightTexels: of parallelograms, polygons, polygons' vertices, light textures.
+    uvec4 firstRoundTexel;  ///< Of ellipses, spheres, tubes; w unused.
     vec4 textureScale;    ///< Of the images of lights: x: 1 / texels of a layer's side, y: the coarsest level; zw unused.
     vec4 lobeWeight;      ///< What is added up: diffuse, specular and sheen, emission, each 0 or 1; w: flatLobes().
     vec4 lobeReferences;  ///< Of ltcPlace(): xy of the specular table, zw of the diffuse one.
@@ -91,8 +93,8 @@ layout(std430, binding = kPunctualBinding) readonly buffer PunctualBlock { Punct
 layout(std430, binding = kEllipseBinding) readonly buffer EllipseBlock { EllipseData ellipses[]; };
 layout(std430, binding = kSphereBinding) readonly buffer SphereBlock { SphereData spheres[]; };
 layout(std430, binding = kTubeBinding) readonly buffer TubeBlock { TubeData tubes[]; };
-/// The same as texels.
-layout(binding = kPolygonVertexUnit) uniform samplerBuffer polygonVertexTexels;
+/// All blocks of lights one after the other. As bits: a texel of floats could lose those of a small integer.
+layout(binding = kLightUnit) uniform usamplerBuffer lightTexels;
 layout(binding = kSpecularTableUnit) uniform sampler2DArray specularTable;
 layout(binding = kDiffuseTableUnit) uniform sampler2DArray diffuseTable;
 layout(binding = kSheenTableUnit) uniform sampler2DArray sheenTable;
