@@ -33,6 +33,7 @@ set(POLYLUME_GLSL_FILES
     ltc/lobe.glsl
     ltc/moments.glsl
     ltc/parallelogram.glsl
+    ltc/parallelogram_above.glsl
     ltc/polygon.glsl
     ltc/seen_parallelogram.glsl
     ltc/seen_polygon.glsl

@@ -5,9 +5,10 @@
 #include "ltc/lobe.glsl"
 
 // What parallelograms and triangles have in common: a convex outline of at most four edges against the cosine and against
-// any number of lobes, without branches. The clip at the surface is done once for all of them. An edge is a start, a
-// vector and the range of its parameter that the clips leave, so a cross product is that of the whole edge times the
-// range.
+// any number of lobes, without branches. The clip at the surface is done once for all of them. A plane takes at most one
+// piece off: the outline leaves the half-space once and comes back once. The z of the cross product of what is left
+// of an edge is that of the whole edge times the share that is left; x and y come from the ends, of which the snapped ones
+// have another z than the edge.
 
 /// Where a convex outline leaves the half-space z >= 0 and where it comes back, along z = 0. Where it never does, two equal
 /// directions, between which a closing edge has no length.
@@ -16,43 +17,50 @@ struct LtcCrossings {
     vec2 entering;
 };
 
-/// What the surface leaves of an outline.
-struct LtcSurfaceClip {
-    vec4 share;    ///< Of each edge's length above the surface,
-    bvec4 leaves;  ///< whether it ends
-    bvec4 enters;  ///< or begins at the surface.
-    LtcCrossings crossings;
-    float closingTurn;  ///< 1 where the outline closes counter-clockwise along the surface, -1 clockwise, 0 not at all.
-    float sum;          ///< Of the edges, for the cosine.
-};
-
-void ltcNoteCrossing(LtcClippedEdge clipped, inout LtcCrossings crossings) {
-    crossings.leaving = clipped.leaves ? clipped.last.xy : crossings.leaving;
-    crossings.entering = clipped.enters ? clipped.first.xy : crossings.entering;
-}
-
 LtcCrossings ltcNoCrossings() { return LtcCrossings(vec2(1.0, 0.0), vec2(1.0, 0.0)); }
 
-LtcSurfaceClip ltcBeginSurfaceClip() {
-    return LtcSurfaceClip(vec4(0.0), bvec4(false), bvec4(false), ltcNoCrossings(), 0.0, 0.0);
+/// Where the edge from `a` to `b` = a + (edge, rise) crosses z = 0: from the end that is nearer to it, since the other may
+/// be so far away that it has lost the digits.
+vec2 ltcCrossing(vec3 a, vec3 b, vec2 edge, float inverseRise) {
+    vec3 base = abs(a.z) < abs(b.z) ? a : b;
+    return base.xy - (base.z * inverseRise) * edge;
 }
 
-/// Clips edge `i` from `a` to `b` = a + edge, in the shading frame, at the surface; `crossZ` is the z of a x edge.
-void ltcClipOutlineEdge(int i, vec3 a, vec3 b, vec3 edge, float crossZ, inout LtcSurfaceClip clip) {
-    LtcClippedEdge clipped = ltcClipEdge(a, b, edge, a.z, b.z);
-    clip.sum += ltcEdgeIntegral(clipped.first, clipped.last, clipped.share * crossZ);
-    ltcNoteCrossing(clipped, clip.crossings);
-    clip.share[i] = clipped.share;
-    clip.leaves[i] = clipped.leaves;
-    clip.enters[i] = clipped.enters;
+/// Notes where the edge crosses the horizon, if it does.
+void ltcNoteCrossing(vec3 a, vec3 b, vec3 edge, inout LtcCrossings crossings) {
+    vec2 crossing = ltcCrossing(a, b, edge.xy, 1.0 / (b.z - a.z));
+    crossings.leaving = a.z >= 0.0 && b.z < 0.0 ? crossing : crossings.leaving;
+    crossings.entering = a.z < 0.0 && b.z >= 0.0 ? crossing : crossings.entering;
 }
 
-/// Closes the clipped outline along the surface.
-void ltcCloseSurfaceClip(inout LtcSurfaceClip clip) {
-    vec2 leaving = clip.crossings.leaving;
-    vec2 entering = clip.crossings.entering;
-    clip.closingTurn = sign(leaving.x * entering.y - leaving.y * entering.x);
-    clip.sum += ltcPlaneAngle(leaving, entering, clip.closingTurn);
+/// 1 where the outline closes counter-clockwise along the horizon, -1 clockwise, 0 not at all.
+float ltcClosingTurn(LtcCrossings crossings) {
+    return sign(crossings.leaving.x * crossings.entering.y - crossings.leaving.y * crossings.entering.x);
+}
+
+/// What the surface leaves of an outline.
+struct LtcSurfaceClip {
+    vec4 share;  ///< Of each edge's length above the surface.
+    LtcCrossings crossings;
+    float closingTurn;
+};
+
+/// How much of the edge from `a` to `b` lies above the horizon.
+float ltcShareAbove(vec3 a, vec3 b) {
+    float part = (max(b.z, 0.0) - max(a.z, 0.0)) * (1.0 / (b.z - a.z));
+    float whole = a.z >= 0.0 ? 1.0 : 0.0;
+    return (a.z >= 0.0) == (b.z >= 0.0) ? whole : part;
+}
+
+/// The ends of what the surface leaves of an edge. Of one below it, whose share is 0, anything.
+struct LtcEnds {
+    vec3 first;
+    vec3 last;
+};
+
+LtcEnds ltcEndsAbove(vec3 a, vec3 b, LtcCrossings crossings) {
+    return LtcEnds(vec3(a.z >= 0.0 ? a.xy : crossings.entering, max(a.z, 0.0)),
+                   vec3(b.z >= 0.0 ? b.xy : crossings.leaving, max(b.z, 0.0)));
 }
 
 /// The form factor of a sum over the edges.
@@ -61,46 +69,65 @@ float ltcFactor(float sum) {
     return kMinusInverse2Pi * sum;
 }
 
-/// The sum over an outline's edges after M^-1.
-struct LtcLobeSum {
-    vec3 leaving;   ///< Where M^-1 takes the surface's crossings.
+/// The surface's crossings after M^-1, and those of the lobe's horizon.
+struct LtcLobeClip {
+    vec3 leaving;
     vec3 entering;
-    float sum;
     LtcCrossings horizon;
 };
 
-LtcLobeSum ltcBeginLobeSum(LtcSurfaceClip clip, LtcLobe lobe) {
-    return LtcLobeSum(ltcTransformHorizontal(lobe, clip.crossings.leaving),
-                      ltcTransformHorizontal(lobe, clip.crossings.entering), 0.0, ltcNoCrossings());
+LtcLobeClip ltcBeginLobeClip(LtcSurfaceClip clip, LtcLobe lobe) {
+    return LtcLobeClip(ltcTransformHorizontal(lobe, clip.crossings.leaving),
+                       ltcTransformHorizontal(lobe, clip.crossings.entering), ltcNoCrossings());
 }
 
-/// Adds what the surface has left of edge `i`, which M^-1 takes from `a` to `b` = a + edge, and what the lobe's horizon
-/// leaves of that; `crossZ` is the z of a x edge.
-void ltcAddLobeEdge(LtcSurfaceClip clip, int i, vec3 a, vec3 b, vec3 edge, float crossZ, inout LtcLobeSum sum) {
-    float share = clip.share[i];
-    vec3 first = clip.enters[i] ? sum.entering : a;
-    vec3 last = clip.leaves[i] ? sum.leaving : b;
+/// What the lobe's horizon leaves of what the surface has left of an edge, which M^-1 takes from `imageA` to `imageB` =
+/// imageA + image and which went from the height `heightA` to `heightB` above the surface before. `share` becomes that of
+/// both.
+LtcEnds ltcEndsInLobe(float heightA, float heightB, vec3 imageA, vec3 imageB, vec3 image, inout float share,
+                      inout LtcLobeClip clip) {
+    vec3 first = heightA >= 0.0 ? imageA : clip.entering;
+    vec3 last = heightB >= 0.0 ? imageB : clip.leaving;
     // An edge below the surface must not count as crossing the lobe's horizon either.
-    bool isKept = share > 0.0;
-    LtcClippedEdge clipped = ltcClipEdge(first, last, share * edge, isKept ? first.z : 0.0, isKept ? last.z : 0.0);
-    sum.sum += ltcEdgeIntegral(clipped.first, clipped.last, clipped.share * (share * crossZ));
-    ltcNoteCrossing(clipped, sum.horizon);
+    bool isKept = heightA >= 0.0 || heightB >= 0.0;
+    bool leaves = isKept && first.z >= 0.0 && last.z < 0.0;
+    bool enters = isKept && first.z < 0.0 && last.z >= 0.0;
+    float inverseRise = share / (last.z - first.z);
+    vec2 crossing = ltcCrossing(first, last, image.xy, inverseRise);
+    clip.horizon.leaving = leaves ? crossing : clip.horizon.leaving;
+    clip.horizon.entering = enters ? crossing : clip.horizon.entering;
+    float firstHeight = max(first.z, 0.0);
+    float lastHeight = max(last.z, 0.0);
+    share = first.z >= 0.0 ? share : 0.0;
+    share = leaves || enters ? (lastHeight - firstHeight) * inverseRise : share;
+    return LtcEnds(vec3(enters ? crossing : first.xy, firstHeight), vec3(leaves ? crossing : last.xy, lastHeight));
 }
 
-/// Closes the outline along the surface and along the lobe's horizon; the lobe's form factor as a share of the lobe above
-/// the surface and times the lobe's share of the light.
-float ltcCloseLobeSum(LtcSurfaceClip clip, LtcLobe lobe, LtcLobeSum sum) {
+/// The outline's closing edge along the surface, as far as it is above the lobe's horizon: in the image of that plane, as
+/// ltcAlongSurface() has it.
+struct LtcClosing {
+    vec2 first;
+    vec2 last;
+    float turn;
+};
+
+/// Closes the outline along the surface and notes where that crosses the horizon.
+LtcClosing ltcCloseAlongSurface(float closingTurn, LtcLobe lobe, inout LtcLobeClip clip) {
+    LtcClippedEdge closing =
+        ltcClipEdge(clip.leaving, clip.entering, clip.entering - clip.leaving, clip.leaving.z, clip.entering.z);
+    clip.horizon.leaving = closing.leaves ? closing.last.xy : clip.horizon.leaving;
+    clip.horizon.entering = closing.enters ? closing.first.xy : clip.horizon.entering;
+    return LtcClosing(ltcAlongSurface(lobe, closing.first), ltcAlongSurface(lobe, closing.last), closingTurn);
+}
+
+/// The sum over an outline's edges in a lobe and the closing edges along the surface and along the lobe's horizon: the
+/// lobe's form factor as a share of the lobe above the surface and times the lobe's share of the light.
+float ltcLobeFactorOf(float sum, LtcSurfaceClip surface, LtcLobe lobe, LtcLobeClip clip) {
     // The surface's closing edge lies in a plane that is known. A smooth lobe at a grazing view makes it all but opposite
     // directions, of which no cross product would tell the plane.
-    vec3 leaving = sum.leaving;
-    vec3 entering = sum.entering;
-    LtcClippedEdge closing = ltcClipEdge(leaving, entering, entering - leaving, leaving.z, entering.z);
-    sum.sum += lobe.surfaceZ * ltcPlaneAngle(ltcAlongSurface(lobe, closing.first), ltcAlongSurface(lobe, closing.last),
-                                               clip.closingTurn);
-    ltcNoteCrossing(closing, sum.horizon);
+    LtcClosing closing = ltcCloseAlongSurface(surface.closingTurn, lobe, clip);
+    sum += lobe.surfaceZ * ltcPlaneAngle(closing.first, closing.last, closing.turn);
     // What M^-1 has pushed below its own horizon closes along that.
-    vec2 a = sum.horizon.leaving;
-    vec2 b = sum.horizon.entering;
-    sum.sum += ltcPlaneAngle(a, b, sign(a.x * b.y - a.y * b.x));
-    return ltcFactor(sum.sum) * lobe.weight;
+    sum += ltcPlaneAngle(clip.horizon.leaving, clip.horizon.entering, ltcClosingTurn(clip.horizon));
+    return ltcFactor(sum) * lobe.weight;
 }

@@ -32,34 +32,63 @@ float ltcAngle(vec3 a, vec3 b) {
     return ltcHalfAngleRatio(min(0.5 * sqrt(dot(sum, sum)), 1.0)) * sqrt(dot(difference, difference));
 }
 
+/// atan(x) for x from 0 to 1: x times the minimax fit in x^2 for the relative error (1e-7).
+float ltcArctan(float x) {
+    float u = x * x;
+    float ratio = -0.00469327594;
+    ratio = ratio * u + 0.024252403;
+    ratio = ratio * u - 0.0594863932;
+    ratio = ratio * u + 0.0991429285;
+    ratio = ratio * u - 0.140194809;
+    ratio = ratio * u + 0.199697239;
+    ratio = ratio * u - 0.333319907;
+    ratio = ratio * u + 0.999999901;
+    return ratio * x;
+}
+
+/// theta * n.z of an edge from its cross product's length and z, and from its dot product: theta has the digits of the one
+/// at 0 and pi and of the other between, and one division does for theta's tangent and for n.z.
+float ltcSpan(float crossLength, float crossZ, float product) {
+    // The floor keeps edges of no length, and those through the origin, finite; the z of their products is zero.
+    float sine = max(crossLength, 3e-19);
+    float cosine = abs(product);
+    bool isSteep = sine > cosine;
+    float greater = isSteep ? sine : cosine;
+    float lesser = isSteep ? cosine : sine;
+    float inverse = 1.0 / (sine * greater);
+    float angle = ltcArctan(lesser * sine * inverse);
+    angle = isSteep ? 1.57079633 - angle : angle;
+    angle = product < 0.0 ? 3.14159265 - angle : angle;
+    return angle * (crossZ * (greater * inverse));
+}
+
 /// theta * n.z of the edge from `a` to `b`, neither of them unit, where `crossZ` is the z of a x b. The caller computes
 /// it from a vertex and the edge's own vector, since a difference of two far points has lost its digits.
-///
-/// theta = w(cos theta) sin theta up to 90 degrees, and pi less that of the opposite direction beyond, where n.z comes from
-/// the cross product: its length keeps the digits near theta = pi that a cosine loses there.
 float ltcEdgeIntegral(vec3 a, vec3 b, float crossZ) {
-    // The floors only keep vertices at the origin, and edges in line with it, finite; their cross products are zero.
-    float inverse = inversesqrt(max(dot(a, a) * dot(b, b), 1e-37));
-    float cosine = dot(a, b) * inverse;
-    float narrow = crossZ * inverse * ltcHalfAngleRatio(min(abs(cosine), 1.0));
     vec2 crossXY = vec2(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z);
-    float normalZ = crossZ * inversesqrt(max(dot(crossXY, crossXY) + crossZ * crossZ, 1e-37));
-    return cosine < 0.0 ? 3.14159265 * normalZ - narrow : narrow;
+    return ltcSpan(sqrt(dot(crossXY, crossXY) + crossZ * crossZ), crossZ, dot(a, b));
 }
 
 /// The angle from `a` to `b` in their plane, neither of them unit: positive where it turns counter-clockwise. `turn` is its
 /// sign, 1 or -1, which near opposite directions the two no longer tell.
 float ltcPlaneAngle(vec2 a, vec2 b, float turn) {
-    float inverse = inversesqrt(max(dot(a, a) * dot(b, b), 1e-37));
-    float cosine = dot(a, b) * inverse;
-    float narrow = (a.x * b.y - a.y * b.x) * inverse * ltcHalfAngleRatio(min(abs(cosine), 1.0));
-    return cosine < 0.0 ? turn * 3.14159265 - narrow : narrow;
+    float crossZ = a.x * b.y - a.y * b.x;
+    float product = dot(a, b);
+    float sine = abs(crossZ);
+    float cosine = abs(product);
+    bool isSteep = sine > cosine;
+    float greater = isSteep ? sine : cosine;
+    float lesser = isSteep ? cosine : sine;
+    float narrow = ltcArctan(lesser / max(greater, 1e-37));
+    narrow = isSteep ? 1.57079633 - narrow : narrow;
+    narrow = crossZ < 0.0 ? -narrow : narrow;
+    return product < 0.0 ? turn * 3.14159265 - narrow : narrow;
 }
 
 /// `v` moved onto the plane z = 0 where it is a millionth of its length off, as rounding leaves it. Points that lie on a
 /// horizon then are on one side of it all, and no outline seems to cross it more often than it does.
 vec3 ltcSnapToHorizon(vec3 v) {
-    v.z = abs(v.z) > 1e-6 * max(abs(v.x), abs(v.y)) ? v.z : 0.0;
+    v.z = v.z * v.z > 5e-13 * (v.x * v.x + v.y * v.y) ? v.z : 0.0;
     return v;
 }
 

@@ -34,70 +34,65 @@ LtcParallelogramEdges ltcParallelogramEdges(vec3 p, vec3 edgeX, vec3 edgeY) {
                                  ltcSnapToHorizon(p + edgeY), ltcFrame(corner0, edgeX, edgeY));
 }
 
-/// The same after M^-1.
-LtcParallelogramEdges ltcTransform(LtcLobe lobe, LtcParallelogramEdges edges) {
-    vec3 corner0 = ltcTransform(lobe, edges.corner0);
-    LtcFrame frame =
-        ltcFrame(corner0, ltcTransformVector(lobe, edges.frame.edgeX), ltcTransformVector(lobe, edges.frame.edgeY));
-    return LtcParallelogramEdges(corner0, ltcTransform(lobe, edges.corner1), ltcTransform(lobe, edges.corner2),
-                                 ltcTransform(lobe, edges.corner3), frame);
-}
-
-/// ltcClipOutlineEdge() with moments; `crossZ` is the z of a x edge.
-void ltcSeeOutlineEdge(int i, vec3 a, vec3 b, vec3 edge, float crossZ, inout LtcSurfaceClip clip,
-                       inout LtcMoments moments) {
-    LtcClippedEdge clipped = ltcClipEdge(a, b, edge, a.z, b.z);
-    ltcAddMoments(clipped.first, clipped.last, clipped.share * crossZ, moments);
-    ltcNoteCrossing(clipped, clip.crossings);
-    clip.share[i] = clipped.share;
-    clip.leaves[i] = clipped.leaves;
-    clip.enters[i] = clipped.enters;
-}
-
 /// What the cosine sees; `clip` is what the surface leaves, for ltcSee().
 LtcSight ltcSeeCosine(LtcParallelogramEdges edges, out LtcSurfaceClip clip) {
     LtcFrame frame = edges.frame;
-    clip = ltcBeginSurfaceClip();
+    clip.crossings = ltcNoCrossings();
+    ltcNoteCrossing(edges.corner0, edges.corner1, frame.edgeX, clip.crossings);
+    ltcNoteCrossing(edges.corner1, edges.corner2, frame.edgeY, clip.crossings);
+    ltcNoteCrossing(edges.corner2, edges.corner3, -frame.edgeX, clip.crossings);
+    ltcNoteCrossing(edges.corner3, edges.corner0, -frame.edgeY, clip.crossings);
+    clip.closingTurn = ltcClosingTurn(clip.crossings);
+    clip.share.x = ltcShareAbove(edges.corner0, edges.corner1);
+    clip.share.y = ltcShareAbove(edges.corner1, edges.corner2);
+    clip.share.z = ltcShareAbove(edges.corner2, edges.corner3);
+    clip.share.w = ltcShareAbove(edges.corner3, edges.corner0);
+    LtcCrossings crossings = clip.crossings;
     LtcMoments moments = ltcNoMoments();
-    ltcSeeOutlineEdge(0, edges.corner0, edges.corner1, frame.edgeX, frame.cornerX.z, clip, moments);
-    ltcSeeOutlineEdge(1, edges.corner1, edges.corner2, frame.edgeY, frame.cornerY.z + frame.normal.z, clip, moments);
-    ltcSeeOutlineEdge(2, edges.corner2, edges.corner3, -frame.edgeX, frame.normal.z - frame.cornerX.z, clip, moments);
-    ltcSeeOutlineEdge(3, edges.corner3, edges.corner0, -frame.edgeY, -frame.cornerY.z, clip, moments);
-    vec2 leaving = clip.crossings.leaving;
-    vec2 entering = clip.crossings.entering;
-    clip.closingTurn = sign(leaving.x * entering.y - leaving.y * entering.x);
-    ltcAddHorizonMoments(leaving, entering, moments);
+    LtcEnds ends = ltcEndsAbove(edges.corner0, edges.corner1, crossings);
+    ltcAddMoments(ends.first, ends.last, clip.share.x * frame.cornerX.z, moments);
+    ends = ltcEndsAbove(edges.corner1, edges.corner2, crossings);
+    ltcAddMoments(ends.first, ends.last, clip.share.y * (frame.cornerY.z + frame.normal.z), moments);
+    ends = ltcEndsAbove(edges.corner2, edges.corner3, crossings);
+    ltcAddMoments(ends.first, ends.last, clip.share.z * (frame.normal.z - frame.cornerX.z), moments);
+    ends = ltcEndsAbove(edges.corner3, edges.corner0, crossings);
+    ltcAddMoments(ends.first, ends.last, -clip.share.w * frame.cornerY.z, moments);
+    ltcAddHorizonMoments(crossings.leaving, crossings.entering, moments);
     return LtcSight(ltcFactor(moments.sum), ltcMeanDirection(moments), frame);
 }
 
-/// ltcAddLobeEdge() with moments; `crossZ` is the z of a x edge.
-void ltcSeeLobeEdge(LtcSurfaceClip clip, int i, vec3 a, vec3 b, vec3 edge, float crossZ, inout LtcLobeSum sum,
-                    inout LtcMoments moments) {
-    float share = clip.share[i];
-    vec3 first = clip.enters[i] ? sum.entering : a;
-    vec3 last = clip.leaves[i] ? sum.leaving : b;
-    bool isKept = share > 0.0;
-    LtcClippedEdge clipped = ltcClipEdge(first, last, share * edge, isKept ? first.z : 0.0, isKept ? last.z : 0.0);
-    ltcAddMoments(clipped.first, clipped.last, clipped.share * (share * crossZ), moments);
-    ltcNoteCrossing(clipped, sum.horizon);
+/// Adds the closing edge along the surface.
+void ltcAddClosingMoments(LtcClosing closing, LtcLobe lobe, inout LtcMoments moments) {
+    moments.sum += lobe.surfaceZ * ltcPlaneAngle(closing.first, closing.last, closing.turn);
+    vec2 difference = closing.last * inversesqrt(max(dot(closing.last, closing.last), 1e-30)) -
+                      closing.first * inversesqrt(max(dot(closing.first, closing.first), 1e-30));
+    // In the image of the surface directions are (z cos, sin, x cos) of its normal's x and z.
+    moments.disk += (abs(closing.turn) * lobe.surfaceZ) * vec2(lobe.surfaceZ * difference.y, -difference.x);
 }
 
 /// What a lobe sees.
-LtcSight ltcSee(LtcParallelogramEdges outline, LtcSurfaceClip clip, LtcLobe lobe) {
-    LtcParallelogramEdges edges = ltcTransform(lobe, outline);
-    LtcFrame frame = edges.frame;
-    LtcLobeSum sum = ltcBeginLobeSum(clip, lobe);
+LtcSight ltcSee(LtcParallelogramEdges edges, LtcSurfaceClip surface, LtcLobe lobe) {
+    vec4 heights = vec4(edges.corner0.z, edges.corner1.z, edges.corner2.z, edges.corner3.z);
+    vec3 corner0 = ltcTransform(lobe, edges.corner0);
+    vec3 corner1 = ltcTransform(lobe, edges.corner1);
+    vec3 corner2 = ltcTransform(lobe, edges.corner2);
+    vec3 corner3 = ltcTransform(lobe, edges.corner3);
+    LtcFrame frame =
+        ltcFrame(corner0, ltcTransformVector(lobe, edges.frame.edgeX), ltcTransformVector(lobe, edges.frame.edgeY));
+    LtcLobeClip clip = ltcBeginLobeClip(surface, lobe);
+    vec4 share = surface.share;
     LtcMoments moments = ltcNoMoments();
-    ltcSeeLobeEdge(clip, 0, edges.corner0, edges.corner1, frame.edgeX, frame.cornerX.z, sum, moments);
-    ltcSeeLobeEdge(clip, 1, edges.corner1, edges.corner2, frame.edgeY, frame.cornerY.z + frame.normal.z, sum, moments);
-    ltcSeeLobeEdge(clip, 2, edges.corner2, edges.corner3, -frame.edgeX, frame.normal.z - frame.cornerX.z, sum, moments);
-    ltcSeeLobeEdge(clip, 3, edges.corner3, edges.corner0, -frame.edgeY, -frame.cornerY.z, sum, moments);
+    LtcEnds ends = ltcEndsInLobe(heights.x, heights.y, corner0, corner1, frame.edgeX, share.x, clip);
+    ltcAddMoments(ends.first, ends.last, share.x * frame.cornerX.z, moments);
+    ends = ltcEndsInLobe(heights.y, heights.z, corner1, corner2, frame.edgeY, share.y, clip);
+    ltcAddMoments(ends.first, ends.last, share.y * (frame.cornerY.z + frame.normal.z), moments);
+    ends = ltcEndsInLobe(heights.z, heights.w, corner2, corner3, -frame.edgeX, share.z, clip);
+    ltcAddMoments(ends.first, ends.last, share.z * (frame.normal.z - frame.cornerX.z), moments);
+    ends = ltcEndsInLobe(heights.w, heights.x, corner3, corner0, -frame.edgeY, share.w, clip);
+    ltcAddMoments(ends.first, ends.last, -share.w * frame.cornerY.z, moments);
 
-    vec3 leaving = sum.leaving;
-    vec3 entering = sum.entering;
-    LtcClippedEdge closing = ltcClipEdge(leaving, entering, entering - leaving, leaving.z, entering.z);
-    ltcAddSurfaceMoments(lobe, closing.first, closing.last, clip.closingTurn, moments);
-    ltcNoteCrossing(closing, sum.horizon);
-    ltcAddHorizonMoments(sum.horizon.leaving, sum.horizon.entering, moments);
+    LtcClosing closing = ltcCloseAlongSurface(surface.closingTurn, lobe, clip);
+    ltcAddClosingMoments(closing, lobe, moments);
+    ltcAddHorizonMoments(clip.horizon.leaving, clip.horizon.entering, moments);
     return LtcSight(ltcFactor(moments.sum) * lobe.weight, ltcMeanDirection(moments), frame);
 }

@@ -10,6 +10,7 @@ precision highp int;
 #include "ltc/ellipse.glsl"
 #include "ltc/frame.glsl"
 #include "ltc/parallelogram.glsl"
+#include "ltc/parallelogram_above.glsl"
 #include "ltc/polygon.glsl"
 #include "ltc/seen_parallelogram.glsl"
 #include "ltc/sphere.glsl"
@@ -70,6 +71,18 @@ vec2 lightFactors() {
 #if defined(PARALLELOGRAM)
     LtcParallelogram outline = ltcClipParallelogram(frame * (light[0] - position), frame * light[1], frame * light[2]);
     return vec2(ltcCosineFactor(outline), ltcLobeFactor(outline, lobe));
+#elif defined(ABOVE_PARALLELOGRAM)
+    LtcParallelogramShape shape =
+        ltcParallelogramShape(frame * (light[0] - position), frame * light[1], frame * light[2]);
+    return vec2(ltcWholeCosineFactor(shape), ltcAboveLobeFactor(shape, lobe));
+#elif defined(WHOLE_PARALLELOGRAM)
+    // The lobe's horizon is asked here.
+    LtcParallelogramShape shape =
+        ltcParallelogramShape(frame * (light[0] - position), frame * light[1], frame * light[2]);
+    LtcParallelogramShape image = ltcTransform(lobe, shape);
+    bool isWhole = min(min(image.corner0.z, image.corner1.z), min(image.corner2.z, image.corner3.z)) >= 0.0;
+    return vec2(ltcWholeCosineFactor(shape),
+                isWhole ? ltcWholeLobeFactor(shape, lobe) : ltcAboveLobeFactor(shape, lobe));
 #elif defined(SEEN_PARALLELOGRAM)
     LtcParallelogramEdges edges =
         ltcParallelogramEdges(frame * (light[0] - position), frame * light[1], frame * light[2]);

@@ -178,6 +178,16 @@ TEST_P(GlslShapesTest, parallelograms) {
     }
 }
 
+TEST_P(GlslShapesTest, parallelogramsAboveTheSurface) {
+    for (const char* define : {"ABOVE_PARALLELOGRAM", "WHOLE_PARALLELOGRAM"}) {
+        expectEqual({define, kRectangle});
+        // They do not see what the floor takes off.
+        const Errors errors = errorsOf({define, kSunkRectangle}, 0.6f, {0.3f, -6.0f, 2.5f});
+        EXPECT_GT(errors.cosine, 1e-3) << define;
+        EXPECT_GT(errors.lobe, 1e-3) << define;
+    }
+}
+
 TEST_P(GlslShapesTest, triangles) {
     expectEqual({"TRIANGLE", kRectangle});
     expectEqual({"TRIANGLE", kSunkRectangle});
