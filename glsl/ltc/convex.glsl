@@ -103,21 +103,30 @@ LtcEnds ltcEndsInLobe(float heightA, float heightB, vec3 imageA, vec3 imageB, ve
     return LtcEnds(vec3(enters ? crossing : first.xy, firstHeight), vec3(leaves ? crossing : last.xy, lastHeight));
 }
 
-/// The outline's closing edge along the surface, as far as it is above the lobe's horizon: in the image of that plane, as
-/// ltcAlongSurface() has it.
+/// The outline's closing edge along the surface, as far as it is above the lobe's horizon: directions in the image of that
+/// plane, turned around where surfaceZ < 0.
 struct LtcClosing {
     vec2 first;
     vec2 last;
     float turn;
 };
 
-/// Closes the outline along the surface and notes where that crosses the horizon.
+/// Closes the outline along the surface and notes where that crosses the horizon: on the line that the two planes have in
+/// common, their y axis, at the end of it that the turn goes by.
 LtcClosing ltcCloseAlongSurface(float closingTurn, LtcLobe lobe, inout LtcLobeClip clip) {
-    LtcClippedEdge closing =
-        ltcClipEdge(clip.leaving, clip.entering, clip.entering - clip.leaving, clip.leaving.z, clip.entering.z);
-    clip.horizon.leaving = closing.leaves ? closing.last.xy : clip.horizon.leaving;
-    clip.horizon.entering = closing.enters ? closing.first.xy : clip.horizon.entering;
-    return LtcClosing(ltcAlongSurface(lobe, closing.first), ltcAlongSurface(lobe, closing.last), closingTurn);
+    bool keepsLeaving = clip.leaving.z >= 0.0;
+    bool keepsEntering = clip.entering.z >= 0.0;
+    vec2 corner = vec2(0.0, keepsLeaving == (lobe.m31 >= 0.0) ? closingTurn : -closingTurn);
+    clip.horizon.leaving = keepsLeaving && !keepsEntering ? corner : clip.horizon.leaving;
+    clip.horizon.entering = !keepsLeaving && keepsEntering ? corner : clip.horizon.entering;
+    // Along the surface a vector (x, y) of the surface is as long as (m11 x / surfaceZ, y).
+    LtcClosing closing;
+    closing.first = keepsLeaving ? clip.leaving.xy : corner;
+    closing.last = keepsEntering ? clip.entering.xy : corner;
+    closing.first.y *= lobe.surfaceZ;
+    closing.last.y *= lobe.surfaceZ;
+    closing.turn = keepsLeaving || keepsEntering ? closingTurn : 0.0;
+    return closing;
 }
 
 /// The sum over an outline's edges in a lobe and the closing edges along the surface and along the lobe's horizon: the

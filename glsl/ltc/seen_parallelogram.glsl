@@ -67,7 +67,7 @@ void ltcAddClosingMoments(LtcClosing closing, LtcLobe lobe, inout LtcMoments mom
     vec2 difference = closing.last * inversesqrt(max(dot(closing.last, closing.last), 1e-30)) -
                       closing.first * inversesqrt(max(dot(closing.first, closing.first), 1e-30));
     // In the image of the surface directions are (z cos, sin, x cos) of its normal's x and z.
-    moments.disk += (abs(closing.turn) * lobe.surfaceZ) * vec2(lobe.surfaceZ * difference.y, -difference.x);
+    moments.disk += abs(closing.turn * lobe.surfaceZ) * vec2(lobe.surfaceZ * difference.y, -difference.x);
 }
 
 /// What a lobe sees.
