@@ -78,9 +78,10 @@ BarChart modelsChart(const BenchResult& result) {
 
 BarChart floorChart(const BenchResult& result) {
     BarChart chart{"Lighting cost against the floor",
-                   concat("what the operations take at ",
+                   concat("floor: all operations at ",
                           formatNumber("%.0f", 1e-9 * result.machine.operations.perSecond.median),
-                          " thousand million a second; ", placeOf(result.size, result.context)),
+                          " Gop/s, what a shader of nothing else reaches; ",
+                          placeOf(result.size, result.context)),
                    "nanoseconds per pixel and light; beside each bar its ratio to the floor"};
     const auto bar = [](std::string label, const Summary& nanoseconds, const Floor& floor) {
         Bar made = makeBar(std::move(label), nanoseconds);
@@ -110,7 +111,7 @@ LineChart lightsChart(const BenchResult& result) {
                         placeOf(result.size, result.context),
                     "lights",
                     "milliseconds a picture; marks: quartiles",
-                    {{"rectangles", {}}, {"textbook", {}}}};
+                    {{"rectangles", {}}, {"textbook, unrolled", {}}}};
     for (const SweepResult& step : result.sweep) {
         const double lights = step.lightCount;
         chart.lines[0].points.push_back(

@@ -136,7 +136,7 @@ struct LogScale {
 
 /// The scale over all values and a little more on both sides.
 LogScale makeScale(double least, double most, double begin, double end) {
-    const double margin = std::max(1.15, std::pow(most / least, 0.04));
+    const double margin = std::max(1.3, std::pow(most / least, 0.04));
     return {least / margin, most * margin, begin, end};
 }
 
@@ -150,7 +150,38 @@ struct Extent {
     }
 };
 
-std::string drawLine(const ChartLine& line, std::size_t index, const LogScale& x,
+/// The axis of bars: from 0, or logarithmic where bars at its short end could not be told apart.
+struct BarScale {
+    bool isLogarithmic = false;
+    LogScale range;  ///< Its `least` counts for a logarithmic axis alone.
+
+    double operator()(double value) const {
+        if (isLogarithmic) return std::max(range(std::max(value, range.least)), range.begin);
+        return range.begin + std::max(value, 0.0) / range.most * (range.end - range.begin);
+    }
+    std::vector<double> ticks() const {
+        return isLogarithmic ? logarithmicTicks(range.least, range.most)
+                             : linearTicks(range.most, 6);
+    }
+};
+
+BarScale makeBarScale(const BarChart& chart, double begin, double end) {
+    constexpr double kWide = 10.0;
+    Extent extent;
+    for (const Bar& bar : chart.bars) {
+        extent.include(bar.value);
+        extent.include(std::max(bar.value, bar.spread.high));
+        if (bar.part) extent.include(*bar.part);
+    }
+    BarScale scale;
+    // Half a decade before the shortest bar leaves it some length.
+    const double least = extent.least / 3.0;
+    scale.isLogarithmic = extent.least > 0.0 && extent.most > kWide * extent.least;
+    scale.range = {least, extent.most > 0.0 ? extent.most : 1.0, begin, end};
+    return scale;
+}
+
+std::string drawLine(const ChartLine& line, std::size_t index, bool isHighest, const LogScale& x,
                      const LogScale& y) {
     const std::string color = concat("line", index % 4);
     std::string path;
@@ -162,10 +193,18 @@ std::string drawLine(const ChartLine& line, std::size_t index, const LogScale& x
         }
         marks += concat("<circle cx=\"", number(x(point.x)), "\" cy=\"", number(y(point.y)),
                         "\" r=\"3.5\" class=\"fill", index % 4, "\"/>\n");
-        marks += textAt(x(point.x), y(point.y) + (index == 0 ? 19.0 : -10.0), "faint middle",
+        marks += textAt(x(point.x), y(point.y) + (isHighest ? -10.0 : 19.0), "faint middle",
                         formatNumber("%.3g", point.y));
     }
     return concat("<path class=\"line ", color, "\" d=\"", path, "\"/>\n", marks);
+}
+
+/// Whether line `index` ends above all others, so that there is room above it.
+bool isHighest(const LineChart& chart, std::size_t index) {
+    const double end = chart.lines[index].points.back().y;
+    return std::ranges::none_of(chart.lines, [&](const ChartLine& line) {
+        return !line.points.empty() && line.points.back().y > end;
+    });
 }
 
 }  // namespace
@@ -198,25 +237,19 @@ std::vector<double> logarithmicTicks(double least, double most) {
 }
 
 std::string drawSvg(const BarChart& chart) {
-    constexpr double kLeft = 160.0;
+    constexpr double kLeft = 184.0;
     constexpr double kRight = 150.0;
     constexpr double kBarHeight = 18.0;
     constexpr double kStep = 27.0;
     const double plotBottom = kTop + kStep * static_cast<double>(chart.bars.size());
-    double most = 0.0;
-    for (const Bar& bar : chart.bars) most = std::max({most, bar.value, bar.spread.high});
-    const auto x = [&](double value) {
-        return kLeft + value / std::max(most, 1e-300) * (kWidth - kLeft - kRight);
-    };
+    const BarScale x = makeBarScale(chart, kLeft, kWidth - kRight);
 
     std::string out = begin(plotBottom + kBottom, chart.title, chart.subtitle);
     out += legend(
         {{"fill2", chart.partMeaning}, {"fill0", chart.barMeaning}, {"fill1", chart.otherMeaning}});
-    if (most > 0.0) {
-        for (const double tick : linearTicks(most, 6)) {
-            out += lineFrom(x(tick), kTop - 6.0, x(tick), plotBottom, "grid");
-            out += textAt(x(tick), plotBottom + 17.0, "faint middle", tickText(tick));
-        }
+    for (const double tick : x.ticks()) {
+        out += lineFrom(x(tick), kTop - 6.0, x(tick), plotBottom, "grid");
+        out += textAt(x(tick), plotBottom + 17.0, "faint middle", tickText(tick));
     }
     double y = kTop;
     for (const Bar& bar : chart.bars) {
@@ -233,12 +266,14 @@ std::string drawSvg(const BarChart& chart) {
         out += textAt(x(end) + 9.0, middle + 4.5, "value", bar.text);
         y += kStep;
     }
-    out += textAt(kLeft, plotBottom + 39.0, "faint", chart.axis);
+    out += textAt(kLeft, plotBottom + 39.0, "faint",
+                  x.isLogarithmic ? chart.axis + "; logarithmic" : chart.axis);
     return out + "</svg>\n";
 }
 
 std::string drawSvg(const LineChart& chart) {
-    constexpr double kHeight = 430.0;
+    constexpr double kHeight = 450.0;
+    constexpr double kPlotTop = kTop + 22.0;
     constexpr double kLeft = 74.0;
     constexpr double kRight = 190.0;
     Extent xs;
@@ -252,9 +287,9 @@ std::string drawSvg(const LineChart& chart) {
     std::string out = begin(kHeight, chart.title, chart.subtitle);
     if (xs.most <= 0.0) return out + "</svg>\n";
     const LogScale x = makeScale(xs.least, xs.most, kLeft, kWidth - kRight);
-    const LogScale y = makeScale(ys.least, ys.most, kHeight - kBottom, kTop);
+    const LogScale y = makeScale(ys.least, ys.most, kHeight - kBottom, kPlotTop);
     for (const double tick : logarithmicTicks(x.least, x.most)) {
-        out += lineFrom(x(tick), kTop, x(tick), kHeight - kBottom, "grid");
+        out += lineFrom(x(tick), kPlotTop, x(tick), kHeight - kBottom, "grid");
         out += textAt(x(tick), kHeight - kBottom + 17.0, "faint middle", tickText(tick));
     }
     for (const double tick : logarithmicTicks(y.least, y.most)) {
@@ -265,7 +300,7 @@ std::string drawSvg(const LineChart& chart) {
     for (std::size_t i = 0; i < chart.lines.size(); ++i) {
         const ChartLine& line = chart.lines[i];
         if (line.points.empty()) continue;
-        out += drawLine(line, i, x, y);
+        out += drawLine(line, i, isHighest(chart, i), x, y);
         // Names that would lie on each other move down.
         double at = y(line.points.back().y) + 4.5;
         if (std::abs(at - labelY) < 16.0) at = labelY + 16.0;
@@ -273,7 +308,7 @@ std::string drawSvg(const LineChart& chart) {
         out += rectangle(kWidth - kRight + 12.0, at - 10.0, 10.0, 10.0, concat("fill", i % 4));
         out += textAt(kWidth - kRight + 28.0, at, "value", line.name);
     }
-    out += textAt(kLeft, kTop - 9.0, "faint", chart.yAxis);
+    out += textAt(kLeft, kPlotTop - 9.0, "faint", chart.yAxis);
     out += textAt(kWidth - kRight, kHeight - 14.0, "faint end", chart.xAxis);
     return out + "</svg>\n";
 }

@@ -25,7 +25,8 @@ struct Bar {
     bool isOther = false;        ///< In the second colour: something to compare with.
 };
 
-/// Horizontal bars, one below the other, from 0.
+/// Horizontal bars, one below the other, from 0; logarithmic where the longest is more than ten
+/// times as long as the shortest.
 struct BarChart {
     std::string title;
     std::string subtitle;
