@@ -17,6 +17,7 @@ Needs glslangValidator, spirv-as, spirv-dis and spirv-opt (Debian: glslang-tools
 77 a tool is missing.
 """
 
+import concurrent.futures
 import importlib.util
 import pathlib
 import re
@@ -300,20 +301,24 @@ def count_shader(lines, kind):
     return counts
 
 
-def count_all():
-    rows = []
-    lighting = flatten("passes/lighting.frag")
+def count_one(task):
+    """A row of the table: kind, model, counts."""
+    kind, model, body, defines = task
+    source = "#version 450 core\n" + "".join(f"#define {name}\n" for name in defines) + body
     with tempfile.TemporaryDirectory() as folder:
-        def add(kind, model, body, defines):
-            source = "#version 450 core\n" + "".join(f"#define {name}\n" for name in defines) + body
-            rows.append((kind, model, count_shader(disassemble(source, pathlib.Path(folder)), kind)))
+        return kind, model, count_shader(disassemble(source, pathlib.Path(folder)), kind)
 
-        for kind, define in KINDS.items():
-            for model, defines in MODELS.items():
-                add(kind, model, lighting, [define, "POLYLUME_SHADES_ALL", *defines])
-        for model, defines in TEXTBOOK_VARIANTS.items():
-            add("textbook", model, flatten(str(ROOT / TEXTBOOK)), ["POLYLUME_PARALLELOGRAM_LIGHTS", *defines])
-    return rows
+
+def count_all():
+    lighting = flatten("passes/lighting.frag")
+    tasks = [(kind, model, lighting, [define, "POLYLUME_SHADES_ALL", *defines])
+             for kind, define in KINDS.items() for model, defines in MODELS.items()]
+    textbook = flatten(str(ROOT / TEXTBOOK))
+    tasks += [("textbook", model, textbook, ["POLYLUME_PARALLELOGRAM_LIGHTS", *defines])
+              for model, defines in TEXTBOOK_VARIANTS.items()]
+    # The work is that of the tools.
+    with concurrent.futures.ThreadPoolExecutor() as pool:
+        return list(pool.map(count_one, tasks))
 
 
 def tool_versions():
