@@ -12,9 +12,11 @@
 
 namespace polylume::bench {
 
-void beginPeakMemory() {
+bool beginPeakMemory() {
     // Linux: 5 resets the peak of the resident set (proc(5)).
-    std::ofstream("/proc/self/clear_refs") << "5";
+    std::ofstream file("/proc/self/clear_refs");
+    file << "5" << std::flush;
+    return file.good();
 }
 
 std::size_t peakMemoryBytes() {

@@ -34,9 +34,9 @@ struct SceneResult {
     std::vector<PassResult> passes;
 };
 
-/// Starts the count of peakMemoryBytes() anew where the system can do that, so that it is of what
-/// comes; else it goes on from the process's start.
-void beginPeakMemory();
+/// Starts the count of peakMemoryBytes() anew, so that it is of what comes; false where the system
+/// can't, and it goes on from the process's start.
+bool beginPeakMemory();
 std::size_t peakMemoryBytes();
 
 /// Draws `repeatCount` frames of `scene`, after one that compiles, with `context` current. Fills

@@ -45,7 +45,7 @@ TEST(PeakMemoryTest, seesWhatIsTouchedAndBeginsAnew) {
         std::memset(block.data(), 1, block.size());
         EXPECT_GE(peakMemoryBytes() + 1'000'000, before + kSize);
     }
-    beginPeakMemory();
+    if (!beginPeakMemory()) GTEST_SKIP() << "this system does not begin anew";
     EXPECT_LT(peakMemoryBytes(), before + kSize / 2);
 }
 
