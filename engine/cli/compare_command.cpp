@@ -5,10 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-
 #include "cli/compare_report.hpp"
 #include "cli/terminal.hpp"
 #include "core/file.hpp"
@@ -45,15 +41,6 @@ compare::NamedPicture readPicture(const fs::path& path) {
     return picture;
 }
 
-/// A report that is lost, on a full disk or a closed pipe, must not count as a success.
-void print(const std::string& text) {
-    const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-    if (!written || std::fflush(stdout) != 0) {
-        throw Error(
-            fmt::format("can't write the report to standard output: {}", std::strerror(errno)));
-    }
-}
-
 bool compareAndReport(const CompareCommand& command) {
     checkHeatMap(command);
     const compare::NamedPicture test = readPicture(command.test);
@@ -75,7 +62,7 @@ bool compareAndReport(const CompareCommand& command) {
         log(LogLevel::info, fmt::format("wrote {}", command.heatMap.string()));
     }
     const CompareReport report{test.name, reference.name, comparison, verdicts};
-    print(command.json ? compareJson(report) : compareText(report));
+    printReport(command.json ? compareJson(report) : compareText(report));
     for (const compare::Verdict& verdict : verdicts) {
         if (!verdict.passed) log(LogLevel::warning, describe(verdict));
     }
@@ -89,7 +76,7 @@ bool run(const CompareCommand& command) {
         return compareAndReport(command);
     } catch (const Error& error) {
         // Who reads the report finds the reason there, too.
-        if (command.json) print(failureJson(command, error.what()));
+        if (command.json) printReport(failureJson(command, error.what()));
         throw;
     }
 }

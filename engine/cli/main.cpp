@@ -7,6 +7,7 @@
 #include <exception>
 #include <functional>
 
+#include "cli/bench_options.hpp"
 #include "cli/compare_options.hpp"
 #include "cli/figures_options.hpp"
 #include "cli/fit_options.hpp"
@@ -43,6 +44,7 @@ int runMain(int argc, char** argv) {
     FitCommand fit;
     InfoCommand info;
     ViewCommand view;
+    BenchCommand bench;
     const CLI::App* renderApp = addRenderCommand(app, render);
     const CLI::App* referenceApp = addReferenceCommand(app, reference);
     const CLI::App* viewApp = addViewCommand(app, view);
@@ -50,6 +52,7 @@ int runMain(int argc, char** argv) {
     const CLI::App* compareApp = addCompareCommand(app, compare);
     const CLI::App* figuresApp = addFiguresCommand(app, figures);
     const CLI::App* fitApp = addFitCommand(app, fit);
+    const CLI::App* benchApp = addBenchCommand(app, bench);
     std::function<void()> tableWork;
     addTableCommand(app, tableWork);
     try {
@@ -67,6 +70,7 @@ int runMain(int argc, char** argv) {
         if (compareApp->parsed() && !run(compare)) return kFailed;
         if (figuresApp->parsed()) run(figures);
         if (fitApp->parsed()) run(fit);
+        if (benchApp->parsed()) run(bench);
         if (infoApp->parsed()) run(info);
         if (viewApp->parsed()) {
             if (verbose) view.arguments.emplace_back("-v");

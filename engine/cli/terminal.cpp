@@ -6,8 +6,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <utility>
+
+#include "polylume/error.hpp"
 
 namespace polylume::cli {
 
@@ -24,6 +28,14 @@ void logToStandardError(LogLevel level) {
         fmt::print(stderr, "polylume: {}{}\n", messageLevel == LogLevel::warning ? "warning: " : "",
                    message);
     });
+}
+
+void printReport(const std::string& text) {
+    const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+    if (!written || std::fflush(stdout) != 0) {
+        throw Error(
+            fmt::format("can't write the report to standard output: {}", std::strerror(errno)));
+    }
 }
 
 ProgressBar::ProgressBar(std::string title)

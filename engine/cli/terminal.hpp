@@ -14,6 +14,10 @@ namespace polylume::cli {
 /// Sends log messages up to `level` to standard error, one line each.
 void logToStandardError(LogLevel level);
 
+/// Writes a report to standard output. Throws Error where it is lost, on a full disk or a closed
+/// pipe: that must not count as a success.
+void printReport(const std::string& text);
+
 /// A progress bar on standard error, where that is a terminal and the log level is not `warning`,
 /// once the work has taken two seconds.
 class ProgressBar : public Progress {
