@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Polylume authors
 # SPDX-License-Identifier: MIT
-"""A street at night in a district of 600 m, wet from rain, under 16 to 10,000 lights of every shape: lit windows, shops,
-neon, screens, street lamps, cars, lanterns. `city.py --lights N --seed S -o FILE.glb`; nothing but Python's standard
+"""A street at night in a district of 600 m, wet from rain, under 16 to 10,000 lights of every shape: lit windows,
+shops, neon, screens, street lamps, cars, lanterns. `city.py --lights N --seed S -o FILE.glb`; nothing but Python's standard
 library, and the bytes are the same on every machine. With more lights the street stays as it is: those of fewer lights
 are among them, and the next ones are further away."""
 
@@ -56,8 +56,8 @@ def lit_share(facade):
     return 0.45 if facade.frame.out[2] * (z - FIRST_Z) > 0.0 else 0.12
 
 
-def build(light_count=LIGHTS, seed=SEED):
-    """The bytes of the file, and its lights."""
+def make(light_count, seed):
+    """The document, and its lights in order."""
     document = Document("city.py")
     walls = Walls(document)
     props = Props(document, walls)
@@ -91,7 +91,12 @@ def build(light_count=LIGHTS, seed=SEED):
     for i, light in enumerate(chosen):
         document.place_light(f"{light.kind} {i + 1}", light.extension, light.light, **light.placement)
     document.add_camera("street", look_at(*CAMERA), CAMERA_YFOV, znear=0.1, zfar=800.0)
-    return document.to_glb(), chosen
+    return document, chosen
+
+
+def build():
+    """The bytes of city.glb beside this file."""
+    return make(LIGHTS, SEED)[0].to_glb()
 
 
 def main():
@@ -102,7 +107,8 @@ def main():
     options = parser.parse_args()
     if not FEWEST <= options.lights <= MOST:
         parser.error(f"expected --lights from {FEWEST} to {MOST}, found {options.lights}")
-    data, lights = build(options.lights, options.seed)
+    document, lights = make(options.lights, options.seed)
+    data = document.to_glb()
     options.output.write_bytes(data)
     print(f"{options.output.name}: {len(data) / 1000:.0f} kB, {len(lights)} lights")
     for field in ("shape", "kind"):

@@ -144,8 +144,8 @@ class Fittings:
             tilt = after(turn_y(frame.degrees), turn((1.0, 0.0, 0.0), 76.0))
             for bay in range(facade.bays + 1):
                 x = min(max(bay * BAY, 0.25), facade.bays * BAY - 0.25)
-                self._lights.disk("wall washer", frame, (x, GROUND_FLOOR + 0.03, 0.55), 0.24, color, NITS["wall washer"],
-                                  tilt)
+                self._lights.disk("wall washer", frame, (x, GROUND_FLOOR + 0.03, 0.55), 0.24, color,
+                                  NITS["wall washer"], tilt)
         if dice.chance(0.45):
             for bay in range(facade.bays):
                 self._lights.disk("downlight", frame, ((bay + 0.5) * BAY, GROUND_FLOOR - 0.24, 0.2), 0.16, WARM[3],

@@ -16,11 +16,11 @@ DOWN = turn((1.0, 0.0, 0.0), -90.0)
 
 # cd/m^2, of windows those to choose from. The surfaces around have some 6.
 NITS = {
-    "window": (36, 44, 54, 66, 84, 100, 130, 170), "shop window": (54, 66, 80, 96), "landmark": 180, "emblem": 230,
+    "window": (50, 60, 75, 90, 110, 140, 170, 210), "shop window": (64, 80, 96, 115), "landmark": 180, "emblem": 230,
     "big screen": 200, "screen": 360, "billboard": 180, "hanging sign": 160, "letter": 290, "neon line": 380,
-    "neon frame": 430, "balcony line": 330, "wall washer": 27000, "downlight": 18000, "street lamp": 22500,
-    "globe lamp": 1500, "lantern": 180, "bollard": 1250, "traffic light": 2500, "headlight": 7800, "tail light": 2100,
-    "sky": 1.9}
+    "neon frame": 430, "balcony line": 330, "wall washer": 20000, "downlight": 12000, "street lamp": 11500,
+    "globe lamp": 850, "lantern": 280, "bollard": 1250, "traffic light": 2500, "headlight": 7800, "tail light": 2100,
+    "sky": 1.4}
 
 Light = namedtuple("Light", "kind shape place extension light placement rank")
 

@@ -7,7 +7,7 @@ import math
 import shapes
 from city_walls import Faces
 from shapes import Shape
-from vectors import add, cross, normalize, scale, subtract, turn_y
+from vectors import add, cross, dot, normalize, scale, subtract, turn_y
 
 LAMP_HEIGHT, LAMP_REACH = 6.6, 2.3
 POST_HEIGHT = 3.7
@@ -44,18 +44,24 @@ def car():
         around = subtract(ring[min(column + 1, count - 1)], ring[max(column - 1, 0)])
         return normalize(cross(subtract(after, before), around))
 
+    def add_triangle(shape, places):
+        corners = [rings[row][column] for row, column in places]
+        face = normalize(cross(subtract(corners[1], corners[0]), subtract(corners[2], corners[0])))
+        shape.indices += range(len(shape.positions), len(shape.positions) + 3)
+        shape.positions += corners
+        # Where the body turns sharply, smooth normals may lean behind the face.
+        shape.normals += [n if dot(n, face) > 0.3 else face for n in (normal(*place) for place in places)]
+        shape.texcoords += [(0.0, 0.0)] * 3
+
     body, glass = Shape(), Shape()
     for row in range(len(rings) - 1):
         for column in range(count - 1):
             is_side = column in (4, count - 6) and row in GLASS_STATIONS
             is_screen = 5 <= column <= count - 7 and any(a <= row < b for a, b in WINDSCREENS)
             shape = glass if is_side or is_screen else body
-            quad = [(row, column), (row, column + 1), (row + 1, column + 1), (row + 1, column)]
-            base = len(shape.positions)
-            shape.positions += [rings[r][c] for r, c in quad]
-            shape.normals += [normal(r, c) for r, c in quad]
-            shape.texcoords += [(0.0, 0.0)] * 4
-            shape.indices += [base + i for i in (0, 2, 1, 0, 3, 2)]
+            quad = [(row, column), (row + 1, column), (row + 1, column + 1), (row, column + 1)]
+            for triangle in ((0, 1, 2), (0, 2, 3)):
+                add_triangle(shape, [quad[i] for i in triangle])
     for ring, way in ((rings[0], 1), (rings[-1], -1)):
         base, middle = len(body.positions), (0.0, 0.5, ring[0][2])
         body.positions += [middle, *ring]

@@ -75,10 +75,8 @@ class Traffic:
                                         (-ROAD_HALF - 0.5, far + 1.0, -90, False)):
             frame = Frame((x, 0.0, z), degrees)
             self._props.traffic_light(frame)
-            color, height = (GREEN, -0.25) if is_green else (RED, 0.35)
-            self._lights.disk("traffic light", frame, (0.0, TRAFFIC_HEIGHT + height, 0.24), 0.21, color, NITS["traffic light"])
-            if not is_green:
-                self._lights.disk("traffic light", frame, (0.0, TRAFFIC_HEIGHT + 0.05, 0.24), 0.21, AMBER,
+            for height, color in ((-0.25, GREEN),) if is_green else ((0.35, RED), (0.05, AMBER)):
+                self._lights.disk("traffic light", frame, (0.0, TRAFFIC_HEIGHT + height, 0.24), 0.21, color,
                                   NITS["traffic light"])
 
     def _bollards(self, front):
