@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 """The wet streets of `city`: asphalt with puddles and markings, pavements with kerbs."""
 
+import functools
 import math
 
 import textures
@@ -15,6 +16,7 @@ ROAD_HALF = STREET / 2 - PAVEMENT
 PAINT_HEIGHT = 0.006
 
 
+@functools.lru_cache(maxsize=None)
 def puddle(u, v):
     """How much water stands there, 0 to 1."""
     return textures.smooth_step(0.52, 0.62, textures.fractal_noise(u * 4, v * 4, 4, 4))
