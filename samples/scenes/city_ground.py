@@ -33,9 +33,9 @@ def wet_asphalt(document):
     roughness = document.add_texture("wet asphalt", textures.png(256, 256, rough))
     normal = document.add_texture("asphalt's normals", textures.normal_map(256, height, ASPHALT_TILE / 256))
     wet = {"metallicRoughnessTexture": {"index": roughness}}
-    asphalt = document.add_material("wet asphalt", (0.030, 0.031, 0.034), 0.0, 1.0, surface=wet,
+    asphalt = document.add_material("wet asphalt", (0.060, 0.062, 0.068), 0.0, 1.0, surface=wet,
                                     normalTexture={"index": normal})
-    paint = document.add_material("road paint", (0.30, 0.30, 0.28), 0.0, 1.0, surface=wet,
+    paint = document.add_material("road paint", (0.40, 0.40, 0.38), 0.0, 1.0, surface=wet,
                                   normalTexture={"index": normal})
     return asphalt, paint
 
@@ -102,7 +102,7 @@ def pavement(document):
         edge = min(min(x % 1, 1 - x % 1) * 0.9, min(v * 6 % 1, 1 - v * 6 % 1) * 0.6)
         shade = 0.80 + 0.3 * textures.value_noise(int(x) * 3.7 + 0.5, row * 5.3 + 0.5, 97)
         spots = 0.75 + 0.5 * textures.fractal_noise(u * 8, v * 8, 8, 3)
-        return (textures.srgb(0.04 if edge < 0.02 else 0.125 * shade * spots),)
+        return (textures.srgb(0.04 if edge < 0.02 else 0.22 * shade * spots),)
 
     def rough(u, v):
         return (0.22 + 0.26 * textures.fractal_noise(u * 5, v * 5, 5, 3),)

@@ -18,8 +18,8 @@ DOWN = turn((1.0, 0.0, 0.0), -90.0)
 NITS = {
     "window": (50, 60, 75, 90, 110, 140, 170, 210), "shop window": (64, 80, 96, 115), "landmark": 180, "emblem": 230,
     "big screen": 200, "screen": 360, "billboard": 180, "hanging sign": 160, "letter": 290, "neon line": 380,
-    "neon frame": 430, "balcony line": 330, "wall washer": 20000, "downlight": 12000, "street lamp": 11500,
-    "globe lamp": 850, "lantern": 280, "bollard": 1250, "traffic light": 2500, "headlight": 7800, "tail light": 2100,
+    "neon frame": 430, "balcony line": 330, "wall washer": 17000, "downlight": 12000, "street lamp": 9500,
+    "globe lamp": 850, "lantern": 340, "bollard": 1250, "traffic light": 2500, "headlight": 7800, "tail light": 2100,
     "sky": 1.4}
 
 Light = namedtuple("Light", "kind shape place extension light placement rank")

@@ -12,7 +12,7 @@ SODIUM, WHITE = (1.0, 0.62, 0.32), (0.72, 0.86, 1.0)
 RED, AMBER, GREEN = (1.0, 0.03, 0.02), (1.0, 0.40, 0.02), (0.05, 1.0, 0.45)
 LANTERNS = [(1.0, 0.10, 0.03), (1.0, 0.28, 0.05), (1.0, 0.45, 0.12), (1.0, 0.05, 0.12)]
 LAMP_STEP = 12.5
-LANTERN_ROWS = (-2.5, -10, -18.5, -25.5, -47, -55, -63, -72, -80, -88, -110, -120, -130, -140)
+LANTERN_ROWS = [-2.5 - 4 * i for i in range(7)] + [-43.5 - 4 * i for i in range(12)] + [-107 - 8 * i for i in range(5)]
 CARS_AWAY, CARS_TOWARD = (-13, -38, -58, -84, -101, -139), (-25, -49, -66, -93, -120, -142)
 SKY_HEIGHT, SKY_COLOR = 90.0, (0.10, 0.19, 0.50)
 
@@ -60,12 +60,12 @@ class Traffic:
             z, side = z - LAMP_STEP, -side
 
     def _lanterns(self, z):
-        height = self._dice.between(7.0, 9.0)
+        height = self._dice.between(6.8, 9.6)
         points = sagging((-STREET / 2, height, z), (STREET / 2, height, z), 1.0, 26)
         self._props.cable(points)
         for i in range(1, 26, 2):
             x, y, _ = points[i]
-            self._lights.sphere("lantern", (x, y - 0.20, z), 0.26, self._dice.pick(LANTERNS), NITS["lantern"])
+            self._lights.sphere("lantern", (x, y - 0.20, z), 0.24, self._dice.pick(LANTERNS), NITS["lantern"])
 
     def _crossing(self, far):
         """Traffic lights for those who come along the camera's street, and for those from the sides."""
