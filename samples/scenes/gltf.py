@@ -31,14 +31,15 @@ def rounded(value, digits=NUMBER_DIGITS):
 class Document:
     """A glTF document that grows by add_...() calls, which return indices."""
 
-    def __init__(self):
+    def __init__(self, generator="generate.py"):
         self._binary = bytearray()
         self._json = {
-            "asset": {"version": "2.0", "generator": "samples/scenes/generate.py"},
+            "asset": {"version": "2.0", "generator": f"samples/scenes/{generator}"},
             "scene": 0,
             "scenes": [{"nodes": []}],
         }
         self._lights = {}  # By the extension that has them.
+        self._placed = {}  # Of place_light(): the extension's object by what the light is.
         self._extensions = set()
         self._shapes = {}
 
@@ -69,13 +70,19 @@ class Document:
 
     def add_mesh(self, name, shape, material):
         """`shape` is a shapes.Shape; meshes of the same one share its data."""
+        return self.add_mesh_of_parts(name, [(shape, material)])
+
+    def add_mesh_of_parts(self, name, parts):
+        """A mesh of several shapes, each with its material."""
+        return self._add("meshes", {"name": name, "primitives": [self._primitive(*part) for part in parts]})
+
+    def _primitive(self, shape, material):
         if id(shape) not in self._shapes:
             self._shapes[id(shape)] = (shape, self._add_shape(shape))
         attributes, indices, texcoords = self._shapes[id(shape)][1]
         if "Texture" in json.dumps(self._json["materials"][material]):
             attributes = {**attributes, "TEXCOORD_0": texcoords()}
-        primitive = {"attributes": attributes, "indices": indices, "material": material}
-        return self._add("meshes", {"name": name, "primitives": [primitive]})
+        return {"attributes": attributes, "indices": indices, "material": material}
 
     def _add_shape(self, shape):
         attributes = {"POSITION": self._add_vectors(shape.positions, POSITION_DIGITS, True),
@@ -179,6 +186,13 @@ class Document:
         middle = scale(add(start, end), 0.5)
         self.add_shaped_light(name, [*x, 0.0, *y, 0.0, *z, 0.0, *middle, 1.0], "tube",
                               {"length": length, "radius": float(radius)}, intensity, color)
+
+    def place_light(self, name, extension, light, **placement):
+        """A node with a light of `extension`, which the nodes of equal lights share; `placement` is the node's."""
+        key = (extension, json.dumps(rounded(light), sort_keys=True))
+        if key not in self._placed:
+            self._placed[key] = self._add_light(extension, light)
+        self.add_node(name, extensions=self._placed[key], **placement)
 
     def to_glb(self):
         document = dict(self._json)

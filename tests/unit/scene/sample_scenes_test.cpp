@@ -43,7 +43,8 @@ TEST_P(SampleSceneTest, readsWithoutAWarning) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SampleSceneTest,
-                         testing::Values("gallery", "studio", "cornell", "softboxes", "neon"));
+                         testing::Values("gallery", "studio", "cornell", "softboxes", "neon",
+                                         "city"));
 
 TEST(SampleGeneratorTest, makesTheSameBytes) {
     const std::filesystem::path folder = "SampleGeneratorTest";
@@ -51,7 +52,7 @@ TEST(SampleGeneratorTest, makesTheSameBytes) {
         "python3 '" + (kScenes / "generate.py").string() + "' " + folder.string() + " > /dev/null";
     ASSERT_EQ(std::system(command.c_str()), 0) << command;
     for (const char* name :
-         {"gallery.glb", "studio.glb", "cornell.glb", "softboxes.glb", "neon.glb"}) {
+         {"gallery.glb", "studio.glb", "cornell.glb", "softboxes.glb", "neon.glb", "city.glb"}) {
         EXPECT_TRUE(readFile(folder / name) == readFile(kScenes / name))
             << name << " differs; run samples/scenes/generate.py";
     }
