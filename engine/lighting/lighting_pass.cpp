@@ -99,7 +99,7 @@ void LightingPass::draw(const GBufferTextures& gbuffer) const {
     // The depth texture is read while it is attached: what was written before has to be seen
     // (OpenGL 4.5, 9.3.1).
     gl_.TextureBarrier();
-    gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+    program_.drawArrays(GL_TRIANGLES, 0, 3);
 }
 
 }  // namespace polylume

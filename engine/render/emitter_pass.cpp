@@ -182,7 +182,7 @@ void EmitterPass::draw(const Batch& batch, GLenum mode, int vertexCount) const {
     batch.program->use();
     for (int i = 0; i < batch.count; ++i) {
         batch.emitters.bind(shared::kEmitterBinding, i);
-        gl_.DrawArrays(mode, 0, vertexCount);
+        batch.program->drawArrays(mode, 0, vertexCount);
     }
 }
 

@@ -165,7 +165,7 @@ void FrameRenderer::accumulate() {
     gl_.BindTextureUnit(0, targets_->radiance.name());
     gl_.BindSampler(0, 0);
     gl_.BindVertexArray(noVertices_.name());
-    gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+    accumulateProgram_.drawArrays(GL_TRIANGLES, 0, 3);
 }
 
 FloatImage FrameRenderer::readMean(int frameCount) const {

@@ -30,12 +30,13 @@ void GeometryPass::draw() {
     for (const int i : order_) {
         const scene::Instance& instance = scene_.scene().instances[static_cast<std::size_t>(i)];
         const GpuMesh& mesh = scene_.mesh(instance.mesh);
-        programs_.get(materialVariant(scene_.materialOf(instance))).use();
+        const gl::Program& program = programs_.get(materialVariant(scene_.materialOf(instance)));
+        program.use();
         scene_.bindMaterial(
             scene_.scene().meshes[static_cast<std::size_t>(instance.mesh)].material);
         scene_.bindInstance(i);
         gl_.BindVertexArray(mesh.vertexArray().name());
-        gl_.DrawElements(GL_TRIANGLES, mesh.indexCount(), GL_UNSIGNED_INT, nullptr);
+        program.drawElements(GL_TRIANGLES, mesh.indexCount(), 0);
     }
 }
 
