@@ -53,16 +53,23 @@ class SrgbCodes {
     std::array<std::uint8_t, kBuckets + 1> floor_{};  ///< Of the least value of each bucket.
 };
 
+/// The nearest integer, the even one of two, so that no level is brighter than the one above for
+/// rounding; for values up to 2^22, by the digits that are lost beside 1.5 * 2^23.
+float rounded(float value) {
+    constexpr float kNoFraction = 12582912.0f;
+    return (value + kNoFraction) - kNoFraction;
+}
+
 // Like SrgbCodes: what a channel's integers stand for, as decode() says, is averaged and goes back
 // by encode().
 struct LinearCodec8 {
     float decode(std::uint8_t code) const { return code; }
-    std::uint8_t encode(float value) const { return static_cast<std::uint8_t>(value + 0.5f); }
+    std::uint8_t encode(float value) const { return static_cast<std::uint8_t>(rounded(value)); }
 };
 
 struct LinearCodec16 {
     float decode(std::uint16_t code) const { return code; }
-    std::uint16_t encode(float value) const { return static_cast<std::uint16_t>(value + 0.5f); }
+    std::uint16_t encode(float value) const { return static_cast<std::uint16_t>(rounded(value)); }
 };
 
 struct SrgbCodec16 {

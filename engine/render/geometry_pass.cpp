@@ -13,7 +13,9 @@ GeometryPass::GeometryPass(const gl::Functions& gl, const gl::ShaderLibrary& lib
     const std::vector<scene::Instance>& instances = scene_.scene().instances;
     for (int i = 0; i < static_cast<int>(instances.size()); ++i) {
         const scene::Material& material = scene_.materialOf(instances[static_cast<std::size_t>(i)]);
-        if (material.alphaMode != scene::AlphaMode::blend) order_.push_back(i);
+        if (material.alphaMode == scene::AlphaMode::blend) continue;
+        order_.push_back(i);
+        if (materialVariant(material) == 0) hasPlain_ = true;
     }
     std::ranges::stable_sort(order_, {}, [&](int i) {
         const scene::Material& material = scene_.materialOf(instances[static_cast<std::size_t>(i)]);
@@ -38,6 +40,10 @@ void GeometryPass::draw() {
         gl_.BindVertexArray(mesh.vertexArray().name());
         program.drawElements(GL_TRIANGLES, mesh.indexCount(), 0);
     }
+}
+
+const gl::Program* GeometryPass::plainProgram() {
+    return hasPlain_ ? &programs_.get(0) : nullptr;
 }
 
 }  // namespace polylume
