@@ -55,7 +55,7 @@ class FrameRenderer {
     /// The sum of frames, rows from the bottom, until the next frame or accumulate(). Undefined
     /// where none has been added.
     const gl::Texture& sum() const {
-        return sumPlace_ == SumPlace::frame ? targets_->radiance : targets_->sum;
+        return sumPlace_ == SumPlace::texture ? targets_->sum : targets_->radiance;
     }
     const GBuffer& gbuffer() const { return targets_->gbuffer; }
     const shared::CameraData& cameraData() const { return cameraData_; }
