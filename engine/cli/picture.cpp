@@ -34,8 +34,11 @@ double exposureOf(const PictureRequest& request, const RenderedImage& rendered) 
 }  // namespace
 
 scene::Scene readScene(const PictureRequest& request) {
-    // A picture is written at the end in any case: its library loads while the scene is parsed.
-    const std::future<void> library = std::async(std::launch::async, loadImageLibrary);
+    // The library that an OpenEXR is written with loads while the scene is parsed.
+    std::future<void> library;
+    if (request.output.extension() == ".exr") {
+        library = std::async(std::launch::async, loadImageLibrary);
+    }
     ProgressBar progress("reading");
     scene::Scene scene = scene::readGltf(request.scene, progress);
     if (request.emissiveLights) scene::addEmissiveLights(scene);

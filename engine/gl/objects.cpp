@@ -88,14 +88,17 @@ BufferTexture::BufferTexture(const Functions& gl, GLenum format, const Buffer& b
 }
 
 void Texture::upload(GLenum format, GLenum type, const void* pixels) {
+    if (layerCount_ == 0) return uploadLevel(0, format, type, pixels);
     const Functions& gl = handle_.functions();
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    if (layerCount_ > 0) {
-        gl.TextureSubImage3D(name(), 0, 0, 0, 0, size_.x, size_.y, layerCount_, format, type,
-                             pixels);
-        return;
-    }
-    gl.TextureSubImage2D(name(), 0, 0, 0, size_.x, size_.y, format, type, pixels);
+    gl.TextureSubImage3D(name(), 0, 0, 0, 0, size_.x, size_.y, layerCount_, format, type, pixels);
+}
+
+void Texture::uploadLevel(int level, GLenum format, GLenum type, const void* pixels) {
+    const Functions& gl = handle_.functions();
+    const glm::ivec2 size = glm::max(size_ >> level, glm::ivec2(1));
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl.TextureSubImage2D(name(), level, 0, 0, size.x, size.y, format, type, pixels);
 }
 
 void Texture::setParameter(GLenum parameter, GLint value) {

@@ -57,6 +57,8 @@ class Texture {
 
     /// Fills level 0 from rows without padding, of an array layer after layer.
     void upload(GLenum format, GLenum type, const void* pixels);
+    /// Fills `level` of what is no array.
+    void uploadLevel(int level, GLenum format, GLenum type, const void* pixels);
     void setParameter(GLenum parameter, GLint value);
     /// Reads level 0 into `pixels`, rows from the bottom, without padding.
     void read(GLenum format, GLenum type, std::span<std::byte> pixels) const;

@@ -3,7 +3,9 @@
 
 #include "gl/program.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 
 #include "core/text.hpp"
 #include "polylume/error.hpp"
@@ -46,7 +48,8 @@ Shader compile(const Functions& gl, const ShaderLibrary& library, GLenum stage,
 Program::Program(const Functions& gl, const ShaderLibrary& library, std::string_view vertexPath,
                  std::string_view fragmentPath, std::span<const std::string> defines,
                  const char* label)
-    : Program(gl) {
+    : Program(gl, library.compileClock()) {
+    const CompileClock::Scope scope(*clock_);
     const std::array paths = {vertexPath, fragmentPath};
     const std::array shaders = {compile(gl, library, GL_VERTEX_SHADER, vertexPath, defines),
                                 compile(gl, library, GL_FRAGMENT_SHADER, fragmentPath, defines)};
@@ -55,10 +58,44 @@ Program::Program(const Functions& gl, const ShaderLibrary& library, std::string_
 
 Program Program::compute(const Functions& gl, const ShaderLibrary& library, std::string_view path,
                          std::span<const std::string> defines, const char* label) {
-    Program program(gl);
+    Program program(gl, library.compileClock());
+    const CompileClock::Scope scope(*program.clock_);
     const Shader shader = compile(gl, library, GL_COMPUTE_SHADER, path, defines);
     program.link(std::span(&path, 1), std::span(&shader, 1), label);
     return program;
+}
+
+template <typename Draw>
+void Program::compileBy(const Draw& draw) const {
+    const Functions& gl = handle_.functions();
+    GLint viewport[4] = {};
+    gl.GetIntegerv(GL_VIEWPORT, viewport);
+    // Without pixels, and with all that a driver compiles for: no state but the viewport is
+    // another.
+    gl.Viewport(0, 0, 0, 0);
+    {
+        const CompileClock::Scope scope(*clock_);
+        draw();
+    }
+    gl.Viewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+    clock_ = nullptr;
+}
+
+void Program::drawArrays(GLenum mode, GLint first, GLsizei count) const {
+    const Functions& gl = handle_.functions();
+    if (clock_ != nullptr) {
+        compileBy([&] { gl.DrawArrays(mode, first, std::min(count, 3)); });
+    }
+    gl.DrawArrays(mode, first, count);
+}
+
+void Program::drawElements(GLenum mode, GLsizei count, std::size_t firstIndex) const {
+    const Functions& gl = handle_.functions();
+    const auto* const begin = reinterpret_cast<const void*>(firstIndex * sizeof(std::uint32_t));
+    if (clock_ != nullptr) {
+        compileBy([&] { gl.DrawElements(mode, std::min(count, 3), GL_UNSIGNED_INT, begin); });
+    }
+    gl.DrawElements(mode, count, GL_UNSIGNED_INT, begin);
 }
 
 void Program::link(std::span<const std::string_view> paths, std::span<const Shader> shaders,

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "gl/compile_clock.hpp"
 #include "gl/handle.hpp"
 #include "gl/shader_library.hpp"
 
@@ -31,17 +32,31 @@ class Program {
                            std::span<const std::string> defines, const char* label);
 
     void use() const { handle_.functions().UseProgram(name()); }
+
+    /// glDrawArrays() and glDrawElements() of 32-bit indices, with this program in use and all
+    /// other state set. The first draw comes twice: as one triangle without a pixel, for the
+    /// driver to compile by, on the library's clock, and then as it is.
+    void drawArrays(GLenum mode, GLint first, GLsizei count) const;
+    void drawElements(GLenum mode, GLsizei count, std::size_t firstIndex) const;
+
     GLuint name() const { return handle_.name(); }
     bool isEmpty() const { return handle_.isEmpty(); }
 
   private:
-    explicit Program(const Functions& gl) : handle_(gl, gl.CreateProgram()) {}
+    Program(const Functions& gl, std::shared_ptr<CompileClock> clock)
+        : handle_(gl, gl.CreateProgram()), clock_(std::move(clock)) {}
     /// Links the stages of `paths`. Throws ShaderError that names them.
     void link(std::span<const std::string_view> paths, std::span<const Shader> shaders,
               const char* label);
 
     static void destroy(const Functions& gl, GLuint name) { gl.DeleteProgram(name); }
+    /// Calls `draw`, which draws the beginning of the first draw, with no pixel to fill.
+    template <typename Draw>
+    void compileBy(const Draw& draw) const;
+
     Handle<&Program::destroy> handle_;
+    /// Null once it has drawn.
+    mutable std::shared_ptr<CompileClock> clock_;
 };
 
 }  // namespace polylume::gl

@@ -28,6 +28,18 @@ std::string lineDirective(std::size_t fileId, int line) {
     return concat("#line ", fileId * kLinesPerFile + static_cast<std::size_t>(line), "\n");
 }
 
+/// Where the line's first character that is no space is; the line's size for none.
+std::size_t beginOf(std::string_view line) {
+    return std::min(line.find_first_not_of(" \t"), line.size());
+}
+
+/// Whether a compiler need not see the line: a half of the text is comments, which take a compiler
+/// as long as code does.
+bool isComment(std::string_view line) {
+    return line.substr(beginOf(line)).starts_with("//") && !line.ends_with('\\') &&
+           line.find("*/") == std::string_view::npos;
+}
+
 }  // namespace
 
 ShaderLibrary::ShaderLibrary(std::optional<std::filesystem::path> overrideDir)
@@ -97,7 +109,17 @@ void ShaderLibrary::append(std::string_view path, std::string_view includedFrom,
     std::smatch match;
     source.text += lineDirective(id, 1);
     for (int number = 1; std::getline(lines, line); ++number) {
-        if (std::regex_match(line, match, includePattern)) {
+        if (isComment(line)) {
+            source.text += '\n';
+            continue;
+        }
+        // Few lines are directives, and a search for a pattern takes its time.
+        const std::size_t begin = beginOf(line);
+        const bool isDirective = begin < line.size() && line[begin] == '#';
+        if (!isDirective) {
+            source.text += line;
+            source.text += '\n';
+        } else if (std::regex_match(line, match, includePattern)) {
             append(match[1].str(), concat(name, ":", number), source, extensions);
             source.text += lineDirective(id, number + 1);
         } else if (std::regex_search(line, extensionPattern)) {

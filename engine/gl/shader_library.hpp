@@ -4,11 +4,14 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "gl/compile_clock.hpp"
 
 namespace polylume::gl {
 
@@ -39,6 +42,10 @@ class ShaderLibrary {
     /// The paths of the files whose name ends in `suffix`.
     static std::vector<std::string> paths(std::string_view suffix);
 
+    /// How long its programs took so far: to assemble, compile and link, and what a driver leaves
+    /// for the first draw. Copies of a library share it, and programs keep it.
+    const std::shared_ptr<CompileClock>& compileClock() const { return compileClock_; }
+
   private:
     /// A file that setFile() put in.
     struct GivenFile {
@@ -54,6 +61,7 @@ class ShaderLibrary {
 
     std::optional<std::filesystem::path> overrideDir_;
     std::vector<GivenFile> givenFiles_;
+    std::shared_ptr<CompileClock> compileClock_ = std::make_shared<CompileClock>();
 };
 
 /// Puts files and their own line numbers into a compiler's log, in place of the numbers that the

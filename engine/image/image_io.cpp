@@ -11,6 +11,7 @@
 #include "core/text.hpp"
 #include "image/image_library.hpp"
 #include "image/library_loader.hpp"
+#include "image/png_codec.hpp"
 #include "polylume/error.hpp"
 
 namespace polylume {
@@ -75,12 +76,6 @@ void loadImageLibrary() {
     library();
 }
 
-PixelImage decodeImage(std::span<const std::byte> encoded, std::string_view name) {
-    PixelImage image;
-    throwIfFailed(library().decode(encoded, name, image));
-    return image;
-}
-
 FloatImage readImage(const fs::path& path) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
@@ -104,8 +99,11 @@ void writeExr(const fs::path& path, const FloatImage& image, ExrPrecision precis
 void writePng(const fs::path& path, const PixelImage& image, const ImageMetadata& metadata) {
     checkPixelImage(path, image);
     std::vector<std::byte> file;
-    const std::string failure = library().encodePng(image, metadata, file);
-    if (!failure.empty()) throw Error(concat("can't write ", path.string(), ": ", failure));
+    try {
+        file = encodePng(image, metadata);
+    } catch (const Error& error) {
+        throw Error(concat("can't write ", path.string(), ": ", error.what()));
+    }
     writeFile(path, file);
 }
 

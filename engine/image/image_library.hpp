@@ -20,18 +20,14 @@ namespace polylume {
 /// has done its work, and otherwise the message of the Error to throw: no exception crosses the
 /// border of the shared object, where the two sides could disagree on its type.
 struct ImageLibrary {
-    std::string (*decode)(std::span<const std::byte> encoded, std::string_view name,
-                          PixelImage& image);
     std::string (*read)(const std::filesystem::path& path, FloatImage& image);
     std::string (*encodeExr)(const FloatImage& image, ExrPrecision precision,
-                             std::vector<std::byte>& file);
-    std::string (*encodePng)(const PixelImage& image, const ImageMetadata& metadata,
                              std::vector<std::byte>& file);
     std::string (*drawText)(PixelImage& image, std::span<const TextLabel> labels, bool& hasFont);
 };
 
 /// Goes up with every change of ImageLibrary or of a type that it names.
-inline constexpr int kImageLibraryVersion = 3;
+inline constexpr int kImageLibraryVersion = 4;
 
 /// The one symbol of the shared object, `polylumeImageLibrary`: null where the versions differ.
 inline constexpr const char* kImageLibrarySymbol = "polylumeImageLibrary";

@@ -54,7 +54,7 @@ const ImageLibrary& openImageLibrary(std::span<const fs::path> candidates) {
         reasons += concat("\n  ", ::dlerror());
     }
     throw Error(
-        concat("can't open Polylume's image library, which reads and writes all images; "
+        concat("can't open Polylume's image library, which reads and writes OpenEXR; "
                "build it or install it beside the program, and OpenImageIO with it "
                "(Debian: libopenimageio2.4). Tried:",
                reasons));

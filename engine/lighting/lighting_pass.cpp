@@ -20,18 +20,19 @@ LightingPass::LightingPass(const gl::Functions& gl, const gl::ShaderLibrary& lib
     : gl_(gl),
       library_(library),
       resources_(gl, library, model, specularTable),
-      noVertices_(gl, "lighting, no vertices") {
-    take({});
+      noVertices_(gl, "lighting, no vertices") {}
+
+gl::Program LightingPass::makeProgram(const std::vector<std::string>& defines) const {
+    // Pixels without a surface fail the depth test.
+    std::vector<std::string> all = defines;
+    all.emplace_back("POLYLUME_SHADES_ALL");
+    return {gl_, library_, "passes/fullscreen.vert", "passes/lighting.frag", all, "lighting"};
 }
 
 void LightingPass::take(LightSet lights) {
     PreparedLights prepared = resources_.prepare(std::move(lights));
     if (program_.isEmpty() || prepared.defines != programDefines_) {
-        // Pixels without a surface fail the depth test.
-        std::vector<std::string> defines = prepared.defines;
-        defines.emplace_back("POLYLUME_SHADES_ALL");
-        program_ = gl::Program(gl_, library_, "passes/fullscreen.vert", "passes/lighting.frag",
-                               defines, "lighting");
+        program_ = makeProgram(prepared.defines);
         programDefines_ = prepared.defines;
     }
     resources_.use(std::move(prepared));
@@ -79,6 +80,7 @@ void LightingPass::setLobes(Lobes lobes) {
 }
 
 void LightingPass::draw(const GBufferTextures& gbuffer) const {
+    if (program_.isEmpty()) program_ = makeProgram(defines());
     bind();
     gl_.BindTextures(0, static_cast<GLsizei>(gbuffer.size()), gbuffer.data());
     for (GLuint unit = 0; unit < gbuffer.size(); ++unit) gl_.BindSampler(unit, 0);
@@ -99,7 +101,7 @@ void LightingPass::draw(const GBufferTextures& gbuffer) const {
     // The depth texture is read while it is attached: what was written before has to be seen
     // (OpenGL 4.5, 9.3.1).
     gl_.TextureBarrier();
-    gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+    program_.drawArrays(GL_TRIANGLES, 0, 3);
 }
 
 }  // namespace polylume

@@ -80,11 +80,14 @@ class LightingPass {
     template <typename Light>
     void update(std::size_t first, std::span<const Light> lights);
 
+    gl::Program makeProgram(const std::vector<std::string>& defines) const;
+
     const gl::Functions& gl_;
     const gl::ShaderLibrary& library_;
     LightingResources resources_;
     std::vector<std::string> programDefines_;
-    gl::Program program_;
+    /// Without lights it is made by the first draw: most passes get lights before.
+    mutable gl::Program program_;
     gl::VertexArray noVertices_;
 };
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "image/mip_level.hpp"
 #include "image/srgb.hpp"
 
 namespace polylume::reference {
@@ -31,11 +32,6 @@ float decode(std::uint32_t code, int bits, bool srgb) {
     if (bits == 8) return (srgb ? kSrgb : kLinear)[code];
     const float value = static_cast<float>(code) / 65535.0f;
     return srgb ? linearFromSrgb(value) : value;
-}
-
-std::uint32_t encode(float value, int bits, bool srgb) {
-    const float encoded = srgb ? srgbFromLinear(value) : value;
-    return static_cast<std::uint32_t>(encoded * (bits == 8 ? 255.0f : 65535.0f) + 0.5f);
 }
 
 int wrap(int i, int size, scene::Wrap mode) {
@@ -66,41 +62,12 @@ TexturePyramid::TexturePyramid(const PixelImage& image, const scene::Texture& te
       isSrgb_(texture.colorSpace == scene::ColorSpace::srgb) {
     levels_.push_back({image.width, image.height, image.pixels.data()});
     if (sampler_.mipFilter == scene::MipFilter::none) return;
-    while (levels_.back().width > 1 || levels_.back().height > 1) addLevel();
-}
-
-void TexturePyramid::addLevel() {
-    const Level above = levels_.back();
-    const int width = std::max(above.width / 2, 1), height = std::max(above.height / 2, 1);
-    const int bytes = image_.bitsPerChannel / 8;
-    std::vector<std::uint8_t>& texels = storage_.emplace_back();
-    texels.resize(static_cast<std::size_t>(width) * height * image_.channelCount * bytes);
-    std::uint8_t* target = texels.data();
-    const bool hasAlpha = image_.channelCount % 2 == 0;
-    for (int y = 0; y < height; ++y) {
-        // Where the texel's centre falls in the level above: between two texels for even sizes.
-        const float sourceY = (y + 0.5f) * above.height / height - 0.5f;
-        const int y0 = static_cast<int>(sourceY), y1 = std::min(y0 + 1, above.height - 1);
-        for (int x = 0; x < width; ++x) {
-            const float sourceX = (x + 0.5f) * above.width / width - 0.5f;
-            const int x0 = static_cast<int>(sourceX), x1 = std::min(x0 + 1, above.width - 1);
-            const float tx = sourceX - x0, ty = sourceY - y0;
-            for (int c = 0; c < image_.channelCount; ++c) {
-                const bool srgb = isSrgb_ && !(hasAlpha && c == image_.channelCount - 1);
-                const auto value = [&](int column, int row) {
-                    return decode(code(above, column, row, c), image_.bitsPerChannel, srgb);
-                };
-                const float top = (1.0f - tx) * value(x0, y0) + tx * value(x1, y0);
-                const float bottom = (1.0f - tx) * value(x0, y1) + tx * value(x1, y1);
-                const std::uint32_t mean =
-                    encode((1.0f - ty) * top + ty * bottom, image_.bitsPerChannel, srgb);
-                // 16 bits are in this machine's order, which is little-endian wherever Embree runs.
-                std::memcpy(target, &mean, static_cast<std::size_t>(bytes));
-                target += bytes;
-            }
-        }
+    // A deque: each level is made from one in it.
+    const PixelImage* above = &image_;
+    while (above->width > 1 || above->height > 1) {
+        above = &storage_.emplace_back(nextMipLevel(*above, isSrgb_));
+        levels_.push_back({above->width, above->height, above->pixels.data()});
     }
-    levels_.push_back({width, height, texels.data()});
 }
 
 std::uint32_t TexturePyramid::code(const Level& level, int x, int y, int channel) const {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -29,7 +30,6 @@ class TexturePyramid {
         const std::uint8_t* texels;
     };
 
-    void addLevel();
     std::uint32_t code(const Level& level, int x, int y, int channel) const;
     glm::vec4 texel(const Level& level, int x, int y) const;
     glm::vec4 nearest(const Level& level, const glm::vec2& uv) const;
@@ -39,7 +39,7 @@ class TexturePyramid {
     const PixelImage& image_;
     scene::Sampler sampler_;
     bool isSrgb_;
-    std::vector<std::vector<std::uint8_t>> storage_;  ///< Of the levels above 0.
+    std::deque<PixelImage> storage_;  ///< Of the levels above 0.
     std::vector<Level> levels_;
 };
 

@@ -101,13 +101,13 @@ void BlendPass::draw() {
     for (const Run& run : runs_) {
         const scene::Instance& instance =
             scene_.scene().instances[static_cast<std::size_t>(run.instance)];
-        programs_.get(materialVariant(scene_.materialOf(instance))).use();
+        const gl::Program& program = programs_.get(materialVariant(scene_.materialOf(instance)));
+        program.use();
         scene_.bindMaterial(
             scene_.scene().meshes[static_cast<std::size_t>(instance.mesh)].material);
         scene_.bindInstance(run.instance);
         gl_.BindVertexArray(vertexArrays_[static_cast<std::size_t>(run.instance)].name());
-        gl_.DrawElements(GL_TRIANGLES, run.indexCount, GL_UNSIGNED_INT,
-                         reinterpret_cast<const void*>(run.firstIndex * sizeof(std::uint32_t)));
+        program.drawElements(GL_TRIANGLES, run.indexCount, run.firstIndex);
     }
 }
 

@@ -3,6 +3,8 @@
 
 #include "render/emitter_pass.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -122,16 +124,28 @@ std::vector<shared::EmitterData> packSolid(const PackedLights& lights) {
 }  // namespace
 
 EmitterPass::EmitterPass(const gl::Functions& gl, const gl::ShaderLibrary& library,
-                         const LightingPass& lighting)
-    : gl_(gl), library_(library), lighting_(lighting), noVertices_(gl, "emitters, no vertices") {
+                         const LightingPass& lighting, GeometryPass* geometry)
+    : gl_(gl),
+      library_(library),
+      lighting_(lighting),
+      geometry_(geometry),
+      noVertices_(gl, "emitters, no vertices") {
     updateLights();
 }
 
 void EmitterPass::updateLights() {
-    Batch flat = makeBatch(packFlat(lighting_.packedLights()), flat_, "flat emitters",
-                           "passes/emitter.vert", "passes/emitter.frag");
+    std::vector<shared::EmitterData> others = packFlat(lighting_.packedLights());
+    std::vector<shared::EmitterData> plain;
+    if (geometry_ != nullptr && geometry_->plainProgram() != nullptr) {
+        std::ranges::copy_if(others, std::back_inserter(plain), isPlain);
+        std::erase_if(others, isPlain);
+    }
+    PlainEmitters plainEmitters(gl_, plain);
+    Batch flat =
+        makeBatch(others, flat_, "flat emitters", "passes/emitter.vert", "passes/emitter.frag");
     Batch solid = makeBatch(packSolid(lighting_.packedLights()), solid_, "solid emitters",
                             "passes/emitter_solid.vert", "passes/emitter_solid.frag");
+    plain_ = std::move(plainEmitters);
     flat_ = std::move(flat);
     solid_ = std::move(solid);
 }
@@ -154,16 +168,18 @@ EmitterPass::Batch EmitterPass::makeBatch(const std::vector<shared::EmitterData>
 }
 
 void EmitterPass::draw() const {
-    if (flat_.count + solid_.count == 0) return;
+    if (plain_.isEmpty() && flat_.count + solid_.count == 0) return;
     lighting_.bind();
     gl_.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     gl_.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     gl_.Disable(GL_BLEND);
-    gl_.Disable(GL_CULL_FACE);
     gl_.FrontFace(GL_CCW);
     gl_.Enable(GL_DEPTH_TEST);
     gl_.DepthFunc(GL_GREATER);
     gl_.DepthMask(GL_TRUE);
+    if (!plain_.isEmpty()) plain_.draw(*geometry_->plainProgram());
+
+    gl_.Disable(GL_CULL_FACE);
     gl_.BindVertexArray(noVertices_.name());
     draw(flat_, GL_TRIANGLE_STRIP, kRectangleVertexCount);
 
@@ -182,7 +198,7 @@ void EmitterPass::draw(const Batch& batch, GLenum mode, int vertexCount) const {
     batch.program->use();
     for (int i = 0; i < batch.count; ++i) {
         batch.emitters.bind(shared::kEmitterBinding, i);
-        gl_.DrawArrays(mode, 0, vertexCount);
+        batch.program->drawArrays(mode, 0, vertexCount);
     }
 }
 

@@ -11,6 +11,8 @@
 #include "gl/program.hpp"
 #include "lighting/lighting_pass.hpp"
 #include "render/block_array.hpp"
+#include "render/geometry_pass.hpp"
+#include "render/plain_emitters.hpp"
 #include "shared/emitter_data.h"
 
 namespace polylume {
@@ -19,9 +21,10 @@ namespace polylume {
 /// the sides that emit: a ball or tube from outside, a two-sided one from inside, too.
 class EmitterPass {
   public:
-    /// Takes over the lights that `lighting` has now. Keeps references to all.
+    /// Takes over the lights that `lighting` has now. `geometry`, or null, lends its program for
+    /// plain emitters, which it draws before. Keeps references to all.
     EmitterPass(const gl::Functions& gl, const gl::ShaderLibrary& library,
-                const LightingPass& lighting);
+                const LightingPass& lighting, GeometryPass* geometry = nullptr);
 
     /// Takes over the lights that the lighting pass has by now. Leaves the old ones where it throws
     /// ShaderError.
@@ -47,9 +50,11 @@ class EmitterPass {
     const gl::Functions& gl_;
     const gl::ShaderLibrary& library_;
     const LightingPass& lighting_;
+    GeometryPass* const geometry_;
     gl::VertexArray noVertices_;
-    Batch flat_;   ///< By their bounding rectangles.
-    Batch solid_;  ///< By their bounding boxes.
+    PlainEmitters plain_;  ///< Where the geometry pass has a program for them.
+    Batch flat_;           ///< The other flat ones, by their bounding rectangles.
+    Batch solid_;          ///< By their bounding boxes.
 };
 
 }  // namespace polylume

@@ -43,9 +43,7 @@ gl::Framebuffer makeTarget(const gl::Functions& gl, const gl::Texture& color,
 FrameRenderer::Targets::Targets(const gl::Functions& gl, glm::ivec2 size, bool withSheen)
     : gbuffer(gl, size, withSheen),
       radiance(gl, GL_RGBA32F, size, 1, "radiance of a frame"),
-      sum(gl, GL_RGBA32F, size, 1, "sum of frames"),
-      frame(makeTarget(gl, radiance, &gbuffer.depth(), "frame")),
-      sumTarget(makeTarget(gl, sum, nullptr, "sum")) {}
+      frame(makeTarget(gl, radiance, &gbuffer.depth(), "frame")) {}
 
 FrameRenderer::FrameRenderer(const gl::Functions& gl, const gl::ShaderLibrary& library,
                              const scene::Scene& scene, const scene::Camera& camera,
@@ -58,15 +56,11 @@ FrameRenderer::FrameRenderer(const gl::Functions& gl, const gl::ShaderLibrary& l
       lighting_(makeLighting(gl, library, options_, lights_)),
       gpuScene_(gl, scene),
       targets_(std::make_unique<Targets>(gl, options.size, options_.model.sheen)),
-      accumulateProgram_(gl, library, "passes/fullscreen.vert", "passes/accumulate.frag", {},
-                         "accumulate"),
       noVertices_(gl, "no vertices"),
       cameraBlock_(gl, gl::bytesOf(cameraData_), GL_DYNAMIC_STORAGE_BIT, "camera"),
       geometry_(gl, library, gpuScene_, targets_->gbuffer),
-      emitters_(std::make_unique<EmitterPass>(gl, library, *lighting_)),
-      blend_(std::make_unique<BlendPass>(gl, library, gpuScene_, *lighting_, camera)) {
-    clearSum();
-}
+      emitters_(std::make_unique<EmitterPass>(gl, library, *lighting_, &geometry_)),
+      blend_(std::make_unique<BlendPass>(gl, library, gpuScene_, *lighting_, camera)) {}
 
 void FrameRenderer::setCamera(const scene::Camera& camera) {
     camera_ = camera;
@@ -99,7 +93,7 @@ void FrameRenderer::setModel(const LightingModel& model) {
     options.model.sheen = options_.model.sheen;
     if (options.model == options_.model) return;
     auto lighting = makeLighting(gl_, library_, options, lights_);
-    auto emitters = std::make_unique<EmitterPass>(gl_, library_, *lighting);
+    auto emitters = std::make_unique<EmitterPass>(gl_, library_, *lighting, &geometry_);
     blend_ = std::make_unique<BlendPass>(gl_, library_, gpuScene_, *lighting, camera_);
     emitters_ = std::move(emitters);
     lighting_ = std::move(lighting);
@@ -134,6 +128,7 @@ void FrameRenderer::drawGBuffer(glm::dvec2 samplePosition) {
 }
 
 void FrameRenderer::drawFrame(glm::dvec2 samplePosition) {
+    moveSum();
     drawGBuffer(samplePosition);
     targets_->frame.bind();
     const glm::vec4 background =
@@ -148,13 +143,31 @@ void FrameRenderer::drawFrame(glm::dvec2 samplePosition) {
 }
 
 void FrameRenderer::clearSum() {
-    gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    gl_.Disable(GL_SCISSOR_TEST);
-    const float zero[4] = {};
-    gl_.ClearNamedFramebufferfv(targets_->sumTarget.name(), GL_COLOR, 0, zero);
+    sumPlace_ = SumPlace::none;
+}
+
+void FrameRenderer::moveSum() {
+    if (sumPlace_ != SumPlace::frame) return;
+    const gl::Texture& radiance = targets_->radiance;
+    if (targets_->sum.name() == 0) {
+        targets_->sum = gl::Texture(gl_, GL_RGBA32F, radiance.size(), 1, "sum of frames");
+        targets_->sumTarget = makeTarget(gl_, targets_->sum, nullptr, "sum");
+    }
+    gl_.CopyImageSubData(radiance.name(), GL_TEXTURE_2D, 0, 0, 0, 0, targets_->sum.name(),
+                         GL_TEXTURE_2D, 0, 0, 0, 0, radiance.size().x, radiance.size().y, 1);
+    sumPlace_ = SumPlace::texture;
 }
 
 void FrameRenderer::accumulate() {
+    if (sumPlace_ == SumPlace::none) {
+        sumPlace_ = SumPlace::frame;
+        return;
+    }
+    moveSum();
+    if (accumulateProgram_.isEmpty()) {
+        accumulateProgram_ = gl::Program(gl_, library_, "passes/fullscreen.vert",
+                                         "passes/accumulate.frag", {}, "accumulate");
+    }
     targets_->sumTarget.bind();
     gl_.Disable(GL_DEPTH_TEST);
     gl_.Disable(GL_CULL_FACE);
@@ -165,7 +178,7 @@ void FrameRenderer::accumulate() {
     gl_.BindTextureUnit(0, targets_->radiance.name());
     gl_.BindSampler(0, 0);
     gl_.BindVertexArray(noVertices_.name());
-    gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+    accumulateProgram_.drawArrays(GL_TRIANGLES, 0, 3);
 }
 
 FloatImage FrameRenderer::readMean(int frameCount) const {
@@ -175,7 +188,8 @@ FloatImage FrameRenderer::readMean(int frameCount) const {
     image.channelNames = {"R", "G", "B", "A"};
     const std::size_t rowLength = static_cast<std::size_t>(image.width) * 4;
     image.pixels.resize(rowLength * image.height);
-    targets_->sum.read(GL_RGBA, GL_FLOAT, std::as_writable_bytes(std::span(image.pixels)));
+    if (sumPlace_ == SumPlace::none) return image;
+    sum().read(GL_RGBA, GL_FLOAT, std::as_writable_bytes(std::span(image.pixels)));
     for (int y = 0; y < image.height / 2; ++y) {
         std::swap_ranges(image.pixel(0, y), image.pixel(0, y) + rowLength,
                          image.pixel(0, image.height - 1 - y));

@@ -46,14 +46,17 @@ class FrameRenderer {
     void drawFrame(glm::dvec2 samplePosition);
     /// The first part of that alone.
     void drawGBuffer(glm::dvec2 samplePosition);
-    /// Adds the last frame to the sum.
+    /// Adds the last frame to the sum. The first one is the sum, without a pass.
     void accumulate();
     void clearSum();
     /// The sum's mean over `frameCount` frames: R, G, B, A, rows from the top.
     FloatImage readMean(int frameCount) const;
 
-    /// The sum of frames, rows from the bottom.
-    const gl::Texture& sum() const { return targets_->sum; }
+    /// The sum of frames, rows from the bottom, until the next frame or accumulate(). Undefined
+    /// where none has been added.
+    const gl::Texture& sum() const {
+        return sumPlace_ == SumPlace::texture ? targets_->sum : targets_->radiance;
+    }
     const GBuffer& gbuffer() const { return targets_->gbuffer; }
     const shared::CameraData& cameraData() const { return cameraData_; }
     glm::ivec2 size() const { return options_.size; }
@@ -65,12 +68,19 @@ class FrameRenderer {
     struct Targets {
         GBuffer gbuffer;
         gl::Texture radiance;
-        gl::Texture sum;
         gl::Framebuffer frame;      ///< Over `radiance` and the G-buffer's depth.
+        gl::Texture sum;            ///< Of two frames or more; made by the second one.
         gl::Framebuffer sumTarget;  ///< Over `sum`.
 
         Targets(const gl::Functions& gl, glm::ivec2 size, bool withSheen);
     };
+
+    /// Where the sum of frames is: nowhere, as it is zero; where the one frame was drawn; or in its
+    /// own texture.
+    enum class SumPlace { none, frame, texture };
+
+    /// Takes the sum out of the frame's texture, where it is there.
+    void moveSum();
 
     const gl::Functions& gl_;
     const gl::ShaderLibrary& library_;
@@ -80,7 +90,8 @@ class FrameRenderer {
     std::unique_ptr<LightingPass> lighting_;
     GpuScene gpuScene_;
     std::unique_ptr<Targets> targets_;
-    gl::Program accumulateProgram_;
+    SumPlace sumPlace_ = SumPlace::none;
+    gl::Program accumulateProgram_;  ///< Made by the second frame of a sum.
     gl::VertexArray noVertices_;
     shared::CameraData cameraData_{};  ///< Before the block, which is made from it.
     gl::Buffer cameraBlock_;

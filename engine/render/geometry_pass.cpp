@@ -13,7 +13,9 @@ GeometryPass::GeometryPass(const gl::Functions& gl, const gl::ShaderLibrary& lib
     const std::vector<scene::Instance>& instances = scene_.scene().instances;
     for (int i = 0; i < static_cast<int>(instances.size()); ++i) {
         const scene::Material& material = scene_.materialOf(instances[static_cast<std::size_t>(i)]);
-        if (material.alphaMode != scene::AlphaMode::blend) order_.push_back(i);
+        if (material.alphaMode == scene::AlphaMode::blend) continue;
+        order_.push_back(i);
+        if (materialVariant(material) == 0) hasPlain_ = true;
     }
     std::ranges::stable_sort(order_, {}, [&](int i) {
         const scene::Material& material = scene_.materialOf(instances[static_cast<std::size_t>(i)]);
@@ -30,13 +32,18 @@ void GeometryPass::draw() {
     for (const int i : order_) {
         const scene::Instance& instance = scene_.scene().instances[static_cast<std::size_t>(i)];
         const GpuMesh& mesh = scene_.mesh(instance.mesh);
-        programs_.get(materialVariant(scene_.materialOf(instance))).use();
+        const gl::Program& program = programs_.get(materialVariant(scene_.materialOf(instance)));
+        program.use();
         scene_.bindMaterial(
             scene_.scene().meshes[static_cast<std::size_t>(instance.mesh)].material);
         scene_.bindInstance(i);
         gl_.BindVertexArray(mesh.vertexArray().name());
-        gl_.DrawElements(GL_TRIANGLES, mesh.indexCount(), GL_UNSIGNED_INT, nullptr);
+        program.drawElements(GL_TRIANGLES, mesh.indexCount(), 0);
     }
+}
+
+const gl::Program* GeometryPass::plainProgram() {
+    return hasPlain_ ? &programs_.get(0) : nullptr;
 }
 
 }  // namespace polylume

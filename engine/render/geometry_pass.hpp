@@ -21,11 +21,16 @@ class GeometryPass {
     /// The camera block is bound.
     void draw();
 
+    /// The program for materials without textures and alpha MASK; null where the scene has no such
+    /// opaque material, and it would be compiled for others alone.
+    const gl::Program* plainProgram();
+
   private:
     const gl::Functions& gl_;
     const GpuScene& scene_;
     MaterialPrograms programs_;
     std::vector<int> order_;  ///< Instances, those of one material together.
+    bool hasPlain_ = false;   ///< One of them has a material without textures and alpha MASK.
 };
 
 }  // namespace polylume

@@ -9,6 +9,7 @@ namespace polylume {
 namespace {
 
 constexpr unsigned kAlphaMaskBit = 1u << shared::kMaterialSlotCount;
+constexpr unsigned kTexCoord1Bit = kAlphaMaskBit << 1;
 
 constexpr std::array kSlotDefines = {
     "POLYLUME_BASE_COLOR_TEXTURE",     "POLYLUME_METALLIC_ROUGHNESS_TEXTURE",
@@ -31,7 +32,9 @@ unsigned materialVariant(const scene::Material& material) {
     unsigned variant = material.alphaMode == scene::AlphaMode::mask ? kAlphaMaskBit : 0u;
     const auto slots = textureSlots(material);
     for (unsigned i = 0; i < slots.size(); ++i) {
-        if (slots[i]->texture >= 0) variant |= 1u << i;
+        if (slots[i]->texture < 0) continue;
+        variant |= 1u << i;
+        if (slots[i]->texCoordSet == 1) variant |= kTexCoord1Bit;
     }
     return variant;
 }
@@ -42,6 +45,7 @@ std::vector<std::string> variantDefines(unsigned variant) {
         if (variant & (1u << i)) defines.emplace_back(kSlotDefines[i]);
     }
     if (variant & kAlphaMaskBit) defines.emplace_back("POLYLUME_ALPHA_MASK");
+    if (variant & kTexCoord1Bit) defines.emplace_back("POLYLUME_TEX_COORD_1");
     return defines;
 }
 

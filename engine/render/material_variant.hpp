@@ -18,8 +18,8 @@ namespace polylume {
 std::array<const scene::TextureSlot*, shared::kMaterialSlotCount> textureSlots(
     const scene::Material& material);
 
-/// What of a material is compiled into its shader: a bit for each slot with a texture, and alpha
-/// MASK.
+/// What of a material is compiled into its shader: a bit for each slot with a texture, alpha MASK,
+/// and whether a texture goes by the second texture coordinates.
 unsigned materialVariant(const scene::Material& material);
 
 /// The defines of a variant.

@@ -3,6 +3,9 @@
 
 #include "render/renderer.hpp"
 
+#include <cmath>
+
+#include "core/log.hpp"
 #include "core/text.hpp"
 #include "polylume/error.hpp"
 #include "render/frame_renderer.hpp"
@@ -56,6 +59,8 @@ RenderedImage renderScene(Context& context, const gl::ShaderLibrary& library,
                    rendered.image);
     }
     context.debugLog().checkNoErrors("reading the picture");
+    log(LogLevel::debug,
+        concat("shader compilation: ", std::lround(library.compileClock()->milliseconds()), " ms"));
     return rendered;
 }
 

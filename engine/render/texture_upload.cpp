@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstring>
 
+#include "image/mip_level.hpp"
 #include "image/srgb.hpp"
 
 namespace polylume {
@@ -65,11 +66,18 @@ gl::Texture upload(const gl::Functions& gl, const PixelImage& image, bool srgb, 
     const int longest = std::max(size.x, size.y);
     const int levelCount = withMips ? std::bit_width(static_cast<unsigned>(longest)) : 1;
     gl::Texture texture(gl, internalFormat(image, srgb), size, levelCount, "material texture");
-    texture.upload(kPixelFormats[image.channelCount - 1],
-                   image.bitsPerChannel == 16 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_BYTE,
-                   image.pixels.data());
+    const GLenum format = kPixelFormats[image.channelCount - 1];
+    const GLenum type = image.bitsPerChannel == 16 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_BYTE;
+    texture.upload(format, type, image.pixels.data());
+    // Not by glGenerateTextureMipmap(). For each format Mesa's drivers that run on the CPU compile
+    // shaders first, which takes longer than this, and they round 8-bit means upwards: by 0.45 a
+    // level (Mesa 22.3), which tilts normals by more than a degree at the sixth.
+    PixelImage mip;
+    for (int level = 1; level < levelCount; ++level) {
+        mip = nextMipLevel(level == 1 ? image : mip, srgb);
+        texture.uploadLevel(level, format, type, mip.pixels.data());
+    }
     setGreySwizzle(texture, image.channelCount);
-    if (levelCount > 1) gl.GenerateTextureMipmap(texture.name());
     return texture;
 }
 

@@ -2,11 +2,19 @@
 // SPDX-License-Identifier: MIT
 
 #include "lighting/flat.glsl"
+#include "lighting/light.glsl"
 #include "lighting/lobes.glsl"
 #include "lighting/read_lights.glsl"
-#include "lighting/round.glsl"
-#include "lighting/textured.glsl"
 #include "surface/surface.glsl"
+// Left out where there are no such lights: a compiler takes as long for functions that nobody calls. Others that include
+// them come later, and under the same conditions.
+#if defined(POLYLUME_DISK_LIGHTS) || defined(POLYLUME_ELLIPSE_LIGHTS) || defined(POLYLUME_SPHERE_LIGHTS) || \
+    defined(POLYLUME_TUBE_LIGHTS)
+#include "lighting/round.glsl"
+#endif
+#if defined(POLYLUME_TEXTURED_PARALLELOGRAM_LIGHTS) || defined(POLYLUME_TEXTURED_POLYGON_LIGHTS)
+#include "lighting/textured.glsl"
+#endif
 
 /// The lights' radiance times their form factors, for the diffuse and the specular reflection.
 struct AreaLight {

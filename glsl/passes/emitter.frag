@@ -9,6 +9,18 @@
 in vec3 positionWorld;
 in vec2 share;
 
+// Each kind of outline and the images are compiled in only where the scene has such lights.
+#if defined(POLYLUME_TRIANGLE_LIGHTS) || defined(POLYLUME_POLYGON_LIGHTS) || defined(POLYLUME_TEXTURED_POLYGON_LIGHTS)
+#define POLYLUME_POLYGON_EMITTERS
+#endif
+#if defined(POLYLUME_DISK_LIGHTS) || defined(POLYLUME_ELLIPSE_LIGHTS)
+#define POLYLUME_ELLIPSE_EMITTERS
+#endif
+#if defined(POLYLUME_TEXTURED_PARALLELOGRAM_LIGHTS) || defined(POLYLUME_TEXTURED_POLYGON_LIGHTS)
+#define POLYLUME_IMAGE_EMITTERS
+#endif
+
+#ifdef POLYLUME_POLYGON_EMITTERS
 /// Where `point` of the light's plane lies along its rectangle's two edges.
 vec2 planeCoordinates(vec3 point) {
     vec3 offset = point - emitter.corner.xyz;
@@ -29,13 +41,21 @@ bool isInsidePolygon(vec2 point) {
     }
     return inside;
 }
+#endif
 
 bool isInsideOutline() {
+#ifdef POLYLUME_POLYGON_EMITTERS
     if (emitter.vertices.z == kPolygonOutline) return isInsidePolygon(planeCoordinates(positionWorld));
+#endif
+#ifdef POLYLUME_ELLIPSE_EMITTERS
     vec2 fromCenter = 2.0 * share - 1.0;
     return emitter.vertices.z == kWholeOutline || dot(fromCenter, fromCenter) <= 1.0;
+#else
+    return true;
+#endif
 }
 
+#ifdef POLYLUME_IMAGE_EMITTERS
 /// The factor at `place` in the frame of an image of so many `texels`, filtered over a pixel, which steps on by the
 /// other two.
 vec3 imageFactor(float layer, vec2 texels, vec2 place, vec2 stepX, vec2 stepY) {
@@ -59,8 +79,11 @@ vec2 frameOffset(LightTextureData frame, vec3 offset) {
     return vec2(yy * along.x - across * along.y, xx * along.y - across * along.x) / (xx * yy - across * across);
 }
 
+#endif
+
 vec3 emittedRadiance() {
     vec3 radiance = emitter.radiance.rgb;
+#ifdef POLYLUME_IMAGE_EMITTERS
     if (emitter.vertices.w == kParallelogramImage) {
         radiance *= imageFactor(emitter.image.x, emitter.image.yz, share, dFdx(share), dFdy(share));
     } else if (emitter.vertices.w == kPolygonImage) {
@@ -71,6 +94,7 @@ vec3 emittedRadiance() {
                                 frameOffset(frame, positionWorld - frame.corner.xyz),
                                 frameOffset(frame, dFdx(positionWorld)), frameOffset(frame, dFdy(positionWorld)));
     }
+#endif
     return radiance;
 }
 

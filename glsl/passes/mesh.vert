@@ -16,7 +16,9 @@ out FragmentInput {
     vec3 normalWorld;
     vec4 tangentWorld;
     vec2 texCoord0;
+#ifdef POLYLUME_TEX_COORD_1
     vec2 texCoord1;
+#endif
     vec4 color;
 } fragment;
 
@@ -34,7 +36,9 @@ void main() {
     fragment.tangentWorld = vec4(tangent * inversesqrt(max(dot(tangent, tangent), 1e-30)),
                                  tangentObject.w * instance.mirror.x);
     fragment.texCoord0 = texCoord0;
+#ifdef POLYLUME_TEX_COORD_1
     fragment.texCoord1 = texCoord1;
+#endif
     fragment.color = color;
     gl_Position = camera.clipFromWorld * position;
 }

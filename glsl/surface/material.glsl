@@ -6,14 +6,16 @@
 #include "surface/surface.glsl"
 
 // A glTF metallic-roughness material at a fragment. POLYLUME_..._TEXTURE says which slots hold a texture; a slot
-// without one is its factor.
+// without one is its factor. With POLYLUME_TEX_COORD_1 some of them go by the second texture coordinates.
 
 in FragmentInput {
     vec3 positionWorld;
     vec3 normalWorld;
     vec4 tangentWorld;  ///< w: sign of the bitangent.
     vec2 texCoord0;
+#ifdef POLYLUME_TEX_COORD_1
     vec2 texCoord1;
+#endif
     vec4 color;
 } fragment;
 
@@ -30,7 +32,10 @@ layout(binding = kSheenRoughnessSlot) uniform sampler2D sheenRoughnessTexture;
 vec2 slotUv(uint slot) {
     vec4 row0 = material.uvRows[2u * slot];
     vec4 row1 = material.uvRows[2u * slot + 1u];
-    vec3 texCoord = vec3(row0.w > 0.5 ? fragment.texCoord1 : fragment.texCoord0, 1.0);
+    vec3 texCoord = vec3(fragment.texCoord0, 1.0);
+#ifdef POLYLUME_TEX_COORD_1
+    if (row0.w > 0.5) texCoord.xy = fragment.texCoord1;
+#endif
     return vec2(dot(row0.xyz, texCoord), dot(row1.xyz, texCoord));
 }
 

@@ -5,14 +5,12 @@
 
 #include <cstring>
 #include <exception>
-#include <future>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
 
 #include "cli/picture.hpp"
 #include "core/file.hpp"
-#include "image/image_io.hpp"
 #include "scene/emissive_lights.hpp"
 #include "scene/gltf_reader.hpp"
 #include "scene/merge.hpp"
@@ -76,7 +74,6 @@ std::vector<fs::path> filesOfScene(const fs::path& scene) {
 
 SceneDocument loadScene(const SceneRequest& request, glm::ivec2 size,
                         const std::function<void(double)>& progress) {
-    const std::future<void> library = std::async(std::launch::async, loadImageLibrary);
     SceneDocument document;
     document.request = request;
     document.files = filesOfScene(request.scene);

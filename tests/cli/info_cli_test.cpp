@@ -178,6 +178,7 @@ TEST_F(InfoTest, imagesAloneLoadOpenImageIo) {
     EXPECT_FALSE(loads({"render", "--help"}));
     EXPECT_FALSE(loads({"info"}));
     EXPECT_FALSE(loads({"fit", "--brdf", "nonsense", "-o", path("a.exr")}));
+    EXPECT_FALSE(loads(renderRoom(path("a.png"))));
     EXPECT_TRUE(loads(renderRoom(path("a.exr"))));
 }
 

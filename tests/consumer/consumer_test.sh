@@ -71,7 +71,7 @@ install)
 along)
     # The command's dependencies are hidden, as on a machine that lacks them.
     hidden=()
-    for package in CLI11 Ceres Eigen3 GTest OpenImageIO TBB Threads TinyGLTF benchmark embree fmt glfw3 nlohmann_json; do
+    for package in CLI11 Ceres Eigen3 GTest JPEG OpenImageIO PNG TBB Threads TinyGLTF benchmark embree fmt glfw3 nlohmann_json; do
         hidden+=("-DCMAKE_DISABLE_FIND_PACKAGE_$package=TRUE")
     done
     mkdir -p "$WORK"

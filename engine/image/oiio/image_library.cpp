@@ -27,17 +27,11 @@ std::string messageOf(const Work& work) {
 }
 
 constexpr ImageLibrary kLibrary = {
-    .decode = [](std::span<const std::byte> encoded, std::string_view name, PixelImage& image)
-        -> std::string { return messageOf([&] { image = oiio::decode(encoded, name); }); },
     .read = [](const std::filesystem::path& path, FloatImage& image) -> std::string {
         return messageOf([&] { image = oiio::read(path); });
     },
     .encodeExr = [](const FloatImage& image, ExrPrecision precision, std::vector<std::byte>& file)
         -> std::string { return messageOf([&] { file = oiio::encodeExr(image, precision); }); },
-    .encodePng = [](const PixelImage& image, const ImageMetadata& metadata,
-                    std::vector<std::byte>& file) -> std::string {
-        return messageOf([&] { file = oiio::encodePng(image, metadata); });
-    },
     .drawText = [](PixelImage& image, std::span<const TextLabel> labels, bool& hasFont)
         -> std::string { return messageOf([&] { hasFont = oiio::drawText(image, labels); }); },
 };

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/text.hpp"
+#include "image/image_limits.hpp"
 #include "oiio_calls.hpp"
 #include "polylume/error.hpp"
 
@@ -31,6 +32,15 @@ PixelValues valuesOf(const OIIO::ImageInput& file) {
     const bool isExr = std::string_view(file.format_name()) == "openexr";
     return isExr || file.spec().format.is_floating_point() ? PixelValues::linear
                                                            : PixelValues::display;
+}
+
+/// Throws Error that names `name` when the image has no pixels, too many, or is not a flat picture.
+void checkSize(const OIIO::ImageSpec& spec, std::string_view name) {
+    if (spec.deep || spec.depth > 1) {
+        throw Error(concat("can't read ", name, ": expected a flat picture, found a ",
+                           spec.deep ? "deep image" : "volume"));
+    }
+    checkPixelCount(spec.width, spec.height, spec.nchannels, name);
 }
 
 }  // namespace

@@ -87,6 +87,17 @@ TEST(ShaderLibraryTest, extensionsComeFirst) {
               "int one;\n\nint three;\n");
 }
 
+TEST(ShaderLibraryTest, linesOfCommentsAreEmptied) {
+    ShaderLibrary library;
+    library.setFile("a.glsl", "// one\nint two;  // three\n  /// four\n/* five\n// six */ int a;\n",
+                    "given");
+    EXPECT_EQ(library.expand("a.glsl").text,
+              "#version 450 core\n#line 1\n\nint two;  // three\n\n/* five\n// six */ int a;\n");
+    // A line that goes on in the next one makes that a comment, too.
+    library.setFile("a.glsl", "// one \\\nint two;\n", "given");
+    EXPECT_EQ(library.expand("a.glsl").text, "#version 450 core\n#line 1\n// one \\\nint two;\n");
+}
+
 TEST(NameFilesTest, understandsTheLogsOfSeveralCompilers) {
     const std::vector<std::string> files = {"a.frag", "b.glsl"};
     EXPECT_EQ(nameFiles("0:100012(5): error: x", files), "b.glsl:12(5): error: x\n");

@@ -48,6 +48,17 @@ TEST(MaterialVariantTest, eachTextureHasItsOwn) {
     EXPECT_EQ(variants.size(), std::size(slots));
 }
 
+TEST(MaterialVariantTest, secondTextureCoordinatesCountWhereATextureGoesByThem) {
+    scene::Material material;
+    material.normal.texCoordSet = 1;
+    EXPECT_THAT(definesOf(material), IsEmpty());
+    material.baseColor.texture = 0;
+    EXPECT_THAT(definesOf(material), ElementsAre("POLYLUME_BASE_COLOR_TEXTURE"));
+    material.baseColor.texCoordSet = 1;
+    EXPECT_THAT(definesOf(material),
+                ElementsAre("POLYLUME_BASE_COLOR_TEXTURE", "POLYLUME_TEX_COORD_1"));
+}
+
 TEST(MaterialVariantTest, slotsStandAtTheShadersUnits) {
     const scene::Material material;
     const auto slots = textureSlots(material);

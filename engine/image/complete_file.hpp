@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <span>
 
-namespace polylume::oiio {
+namespace polylume {
 
 /// Whether the JPEG goes on to its end-of-image marker (ITU-T T.81, annex B). libjpeg fills what is
 /// cut off with grey and only warns.
@@ -16,4 +16,4 @@ bool isCompleteJpeg(std::span<const std::byte> file);
 /// libpng refuses a file that is cut off too, but prints what it has to say.
 bool isCompletePng(std::span<const std::byte> file);
 
-}  // namespace polylume::oiio
+}  // namespace polylume

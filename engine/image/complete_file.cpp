@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Polylume authors
 // SPDX-License-Identifier: MIT
 
-#include "complete_file.hpp"
+#include "image/complete_file.hpp"
 
 #include <algorithm>
 #include <string_view>
 
-namespace polylume::oiio {
+namespace polylume {
 
 bool isCompleteJpeg(std::span<const std::byte> file) {
     // Markers, T.81 table B.1.
@@ -63,4 +63,4 @@ bool isCompletePng(std::span<const std::byte> file) {
     return false;
 }
 
-}  // namespace polylume::oiio
+}  // namespace polylume

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Polylume authors
 // SPDX-License-Identifier: MIT
 
-#include "png_text.hpp"
+#include "image/png_text.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -10,7 +10,7 @@
 #include "core/text.hpp"
 #include "polylume/error.hpp"
 
-namespace polylume::oiio {
+namespace polylume {
 namespace {
 
 /// The checksum of PNG chunks (PNG specification, third edition, annex D): CRC-32 of ISO 3309, bit
@@ -82,4 +82,4 @@ std::vector<std::byte> insertPngTexts(const std::vector<std::byte>& file,
     return result;
 }
 
-}  // namespace polylume::oiio
+}  // namespace polylume

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace polylume::oiio {
+namespace polylume {
 
 /// One piece of text in a PNG. The keyword takes 1 to 79 printable ASCII characters without a space
 /// at either end; the text is UTF-8.
@@ -22,4 +22,4 @@ struct PngText {
 std::vector<std::byte> insertPngTexts(const std::vector<std::byte>& file,
                                       const std::vector<PngText>& texts);
 
-}  // namespace polylume::oiio
+}  // namespace polylume
