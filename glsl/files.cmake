@@ -9,10 +9,15 @@ set(POLYLUME_GLSL_FILES
     brdf/charlie.glsl
     brdf/ggx.glsl
     brdf/oren_nayar.glsl
+    culling/box.glsl
+    culling/light_bound.glsl
+    culling/lobe_bound.glsl
     lighting/area.glsl
+    lighting/far.glsl
     lighting/flat.glsl
     lighting/light.glsl
     lighting/light_image.glsl
+    lighting/light_range.glsl
     lighting/lobes.glsl
     lighting/picture.glsl
     lighting/punctual.glsl
@@ -55,14 +60,17 @@ set(POLYLUME_GLSL_FILES
     passes/light_image.frag
     passes/light_image_average.frag
     passes/light_image_fill.frag
+    passes/light_lists.comp
     passes/lighting.comp
     passes/lighting.frag
     passes/mesh.vert
+    passes/tile_bounds.comp
     shared/camera_data.h
     shared/display_data.h
     shared/emitter_data.h
     shared/instance_data.h
     shared/light_data.h
+    shared/light_list_data.h
     shared/light_texture_data.h
     shared/material_data.h
     shared/types.h

@@ -36,7 +36,7 @@ LitFloor::LitFloor(const gl::Functions& gl, const gl::ShaderLibrary& library, Mo
     gl.ClearNamedFramebufferfv(target_.name(), GL_COLOR, 0, black.data());
 }
 
-void LitFloor::light(const LightingPass& pass) const {
+void LitFloor::light(LightingPass& pass) const {
     target_.bind();
     pass.draw(renderer_.gbuffer().textureNames());
 }

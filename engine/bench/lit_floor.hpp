@@ -15,7 +15,7 @@ class LitFloor {
              glm::ivec2 size);
 
     /// Lights every pixel by `pass`.
-    void light(const LightingPass& pass) const;
+    void light(LightingPass& pass) const;
 
     const GBuffer& gbuffer() const { return renderer_.gbuffer(); }
     const shared::CameraData& cameraData() const { return renderer_.cameraData(); }

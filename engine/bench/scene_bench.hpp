@@ -27,9 +27,15 @@ struct SceneResult {
     int lightCount = 0;  ///< Area lights.
     Summary lightingSeconds;
     Summary frameSeconds;
-    /// Lights that are evaluated for a pixel, mean over those that show a surface; none where no
-    /// light is left out.
-    std::optional<double> lightsPerPixel;
+    /// How lights were left out; none where all were lit by.
+    struct Lists {
+        double threshold = 0.0;      ///< Nits.
+        double lightsPerTile = 0.0;  ///< Lights and groups in a tile's list, mean over all tiles.
+        /// Lights that alone add more than the threshold to a pixel, mean over those that show a
+        /// surface; by a small picture of each n-th light.
+        double lightsAboveThreshold = 0.0;
+    };
+    std::optional<Lists> lists;
     std::size_t peakMemoryBytes = 0;  ///< Of the process while it read and drew this scene.
     std::vector<PassResult> passes;
 };

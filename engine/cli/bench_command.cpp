@@ -7,6 +7,7 @@
 
 #include "bench/bench_charts.hpp"
 #include "cli/bench_report.hpp"
+#include "cli/light_threshold.hpp"
 #include "cli/picture.hpp"
 #include "cli/terminal.hpp"
 #include "core/file.hpp"
@@ -29,6 +30,8 @@ bench::SceneResult measureScene(const fs::path& path, const BenchCommand& comman
     request.scene = path;
     RenderOptions options;
     options.size = command.options.size;
+    options.lightThreshold = command.lightThreshold;
+    setHalfStepThreshold(std::nullopt, request.toneMap, options);
     scene::Scene scene = readScene(request);
     completeScene(scene, request, options.size);
     ProgressBar progress(fmt::format("measuring {}", path.filename().string()));

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "bench/lighting_bench.hpp"
@@ -15,6 +16,7 @@ struct BenchCommand {
     std::vector<std::filesystem::path> scenes;  ///< Measured in place of the shapes, if any.
     Backend backend = Backend::automatic;
     bench::BenchOptions options;
+    std::optional<float> lightThreshold;  ///< Of scenes.
     std::filesystem::path json;    ///< Empty: none.
     std::filesystem::path charts;  ///< Folder for SVG; empty: none.
 };

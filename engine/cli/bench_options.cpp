@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "cli/flags.hpp"
+#include "cli/light_threshold.hpp"
 #include "cli/picture_options.hpp"
 
 namespace polylume::cli {
@@ -90,7 +91,7 @@ CLI::App* addBenchCommand(CLI::App& app, BenchCommand& command) {
         "reaches in shaders that do nothing else; and a textbook formulation of the rectangle.\n"
         "Everything is measured in turns, once each repeat: the median and the quartiles of the\n"
         "repeats are told, so that a busy machine shows. Takes a minute or two on a few cores.\n"
-        "With scenes: time and memory of frames of theirs.");
+        "With scenes: time and memory of frames of theirs, with lights left out as for a PNG.");
     bench
         ->add_option("scenes", command.scenes,
                      "Scenes to draw frames of, in place of the shapes: glTF 2.0 files")
@@ -110,6 +111,7 @@ CLI::App* addBenchCommand(CLI::App& app, BenchCommand& command) {
                     fmt::join(namesOf(bench::kModels), ",")));
     models->option_text("NAME,...");
     addSize(*bench, command.options.size, "Size in pixels; default 1280x720");
+    addLightThreshold(*bench, command.lightThreshold);
     CLI::Option* repeat =
         bench->add_option("--repeat", command.options.repeatCount, "How often; default 7")
             ->check(CLI::Range(1, kMostRepeats))

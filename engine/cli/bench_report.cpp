@@ -119,8 +119,13 @@ std::string sceneText(const bench::SceneResult& scene) {
     for (const bench::PassResult& pass : scene.passes) {
         text += fmt::format("      {:<24}{:.2f} ms\n", pass.name, pass.milliseconds.median);
     }
-    if (scene.lightsPerPixel) {
-        text += fmt::format("    {:<26}{:.1f}\n", "lights a pixel, mean", *scene.lightsPerPixel);
+    if (scene.lists) {
+        text += fmt::format(
+            "    {:<26}{:.3g} nits\n    {:<26}{:.1f} and groups, mean\n    {:<26}{:.1f} a pixel, "
+            "mean\n",
+            "light threshold", scene.lists->threshold, "listed for a tile",
+            scene.lists->lightsPerTile, "alone above the threshold",
+            scene.lists->lightsAboveThreshold);
     }
     return text + fmt::format("    {:<26}{:.0f} MB\n", "peak memory",
                               1e-6 * static_cast<double>(scene.peakMemoryBytes));
@@ -164,6 +169,12 @@ ordered_json jsonOf(const bench::CaseResult& one) {
             {"operationsPerPixel", jsonOf(one.pixelOperations)}};
 }
 
+ordered_json jsonOf(const bench::SceneResult::Lists& lists) {
+    return {{"thresholdNits", lists.threshold},
+            {"lightsPerTile", lists.lightsPerTile},
+            {"lightsAboveThreshold", lists.lightsAboveThreshold}};
+}
+
 ordered_json jsonOf(const bench::SceneResult& scene) {
     ordered_json passes = ordered_json::object();
     for (const bench::PassResult& pass : scene.passes) {
@@ -174,8 +185,7 @@ ordered_json jsonOf(const bench::SceneResult& scene) {
             {"lightingSeconds", jsonOf(scene.lightingSeconds)},
             {"frameSeconds", jsonOf(scene.frameSeconds)},
             {"passMilliseconds", passes},
-            {"lightsPerPixel",
-             scene.lightsPerPixel ? ordered_json(*scene.lightsPerPixel) : ordered_json(nullptr)},
+            {"lists", scene.lists ? jsonOf(*scene.lists) : ordered_json(nullptr)},
             {"peakMemoryBytes", scene.peakMemoryBytes}};
 }
 

@@ -7,6 +7,7 @@
 
 #include <future>
 
+#include "cli/light_threshold.hpp"
 #include "cli/phase_log.hpp"
 #include "cli/terminal.hpp"
 #include "core/file.hpp"
@@ -58,6 +59,11 @@ void run(const RenderCommand& command) {
     const gl::ShaderLibrary library(command.glslDir);
     RenderOptions options = command.options;
     if (!command.table.empty()) options.specularTable = tables::readTable(command.table);
+    if (command.request.output.extension() == ".exr") {
+        if (!options.lightThreshold) options.lightThreshold = 0.0f;
+    } else {
+        setHalfStepThreshold(command.request.exposure, command.request.toneMap, options);
+    }
     ProgressBar progress("rendering");
     RenderedImage rendered = renderScene(*context, library, scene, camera, options, progress);
     phases.finish("rendering");

@@ -4,6 +4,7 @@
 #include "cli/render_options.hpp"
 
 #include "cli/flags.hpp"
+#include "cli/light_threshold.hpp"
 #include "cli/picture_options.hpp"
 
 namespace polylume::cli {
@@ -32,6 +33,7 @@ CLI::App* addRenderCommand(CLI::App& app, RenderCommand& command) {
                      "LTC table for the specular reflection of area lights, .exr or .f32; default "
                      "a built-in one")
         ->option_text("FILE");
+    addLightThreshold(*render, command.options.lightThreshold);
     render
         ->add_option("--glsl-dir", command.glslDir,
                      "Read shaders from this folder where it has them")

@@ -36,13 +36,20 @@ const char* describeStatus(GLenum status) {
 
 }  // namespace
 
+Buffer::Buffer(const Functions& gl, std::size_t sizeBytes, const std::byte* bytes, GLbitfield flags,
+               const char* label)
+    : handle_(gl, createName(gl.CreateBuffers)), sizeBytes_(std::max<std::size_t>(sizeBytes, 1)) {
+    gl.NamedBufferStorage(name(), static_cast<GLsizeiptr>(sizeBytes_), bytes, flags);
+    gl.ObjectLabel(GL_BUFFER, name(), -1, label);
+}
+
 Buffer::Buffer(const Functions& gl, std::span<const std::byte> bytes, GLbitfield flags,
                const char* label)
-    : handle_(gl, createName(gl.CreateBuffers)),
-      sizeBytes_(std::max<std::size_t>(bytes.size(), 1)) {
-    gl.NamedBufferStorage(name(), static_cast<GLsizeiptr>(sizeBytes_),
-                          bytes.empty() ? nullptr : bytes.data(), flags);
-    gl.ObjectLabel(GL_BUFFER, name(), -1, label);
+    : Buffer(gl, bytes.size(), bytes.empty() ? nullptr : bytes.data(), flags, label) {}
+
+Buffer Buffer::ofSize(const Functions& gl, std::size_t sizeBytes, GLbitfield flags,
+                      const char* label) {
+    return {gl, sizeBytes, nullptr, flags, label};
 }
 
 void Buffer::update(std::span<const std::byte> bytes, std::size_t offset) {

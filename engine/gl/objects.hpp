@@ -23,6 +23,10 @@ class Buffer {
     Buffer(const Functions& gl, std::span<const std::byte> bytes, GLbitfield flags,
            const char* label);
 
+    /// One that holds nothing in particular.
+    static Buffer ofSize(const Functions& gl, std::size_t sizeBytes, GLbitfield flags,
+                         const char* label);
+
     /// Replaces the bytes from `offset` on; the buffer was made with GL_DYNAMIC_STORAGE_BIT.
     void update(std::span<const std::byte> bytes, std::size_t offset = 0);
 
@@ -30,6 +34,9 @@ class Buffer {
     std::size_t sizeBytes() const { return sizeBytes_; }
 
   private:
+    Buffer(const Functions& gl, std::size_t sizeBytes, const std::byte* bytes, GLbitfield flags,
+           const char* label);
+
     static void destroy(const Functions& gl, GLuint name) { gl.DeleteBuffers(1, &name); }
     Handle<&Buffer::destroy> handle_;
     std::size_t sizeBytes_ = 0;

@@ -4,6 +4,7 @@
 #include "image/display_transform.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/glm.hpp>
 
@@ -74,6 +75,15 @@ double exposureScale(double ev) {
 
 double evForLogMean(double nits) {
     return std::log2(nits / (1.2 * 0.18));
+}
+
+double halfStepNits(double ev, ToneMap toneMap) {
+    // The steepest that an encoded channel rises when all channels change at once, over all
+    // colours, found by search (the test searches, too): in the darks, where sRGB is linear, and
+    // for saturated colours where the tone map mixes channels.
+    static constexpr std::array<double, 4> kSteepest = {12.92, 12.96, 4.63, 26.7};
+    const double slope = kSteepest.at(static_cast<std::size_t>(toneMap));
+    return 0.5 / 255.0 / (slope * exposureScale(ev));
 }
 
 double logMeanLuminance(const FloatImage& radiance, const std::vector<bool>& weights) {

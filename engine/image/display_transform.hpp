@@ -19,6 +19,11 @@ double exposureScale(double ev);
 /// The EV that puts the log-mean luminance `nits` at 0.18.
 double evForLogMean(double nits);
 
+/// Half an 8-bit step, in nits, at exposure `ev`: a change of radiance, in any channels, up to this
+/// size moves no value of displayImage() by more than half a step, before it is rounded, however
+/// dark or coloured the pixel is.
+double halfStepNits(double ev, ToneMap toneMap);
+
 /// The log-mean luminance of the pixels where `weights` (one a pixel) is true and the luminance is
 /// positive, summed in the order of storage; 0 where there is none. `radiance` begins with channels
 /// R, G, B.

@@ -32,6 +32,11 @@ LightBuffers::Sections LightBuffers::makeSections(
         next += (sections[binding].count + kAlignment - 1) / kAlignment * kAlignment;
     };
     add(shared::kParallelogramBinding, packed.parallelograms);
+    // Room for the groups, of which there are less than lights.
+    const std::size_t flatCount =
+        packed.parallelograms.size() + packed.polygons.size() + packed.ellipses.size();
+    next += (flatCount * sizeof(shared::ParallelogramData) / kTexelBytes + kAlignment - 1) /
+            kAlignment * kAlignment;
     add(shared::kPolygonBinding, packed.polygons);
     add(shared::kPolygonVertexBinding, packed.polygonVertices);
     add(shared::kPunctualBinding, packed.punctuals);
@@ -82,6 +87,13 @@ LightBuffers::LightBuffers(const gl::Functions& gl, const PackedLights& packed,
     writeAll(shared::kSphereBinding, packed.spheres);
     writeAll(shared::kTubeBinding, packed.tubes);
     writeAll(shared::kLightTextureBinding, textures);
+}
+
+void LightBuffers::updateGroups(const PackedLights& packed,
+                                const std::vector<shared::ParallelogramData>& groups) {
+    buffer_.update(gl::bytesOf(groups),
+                   sections_[shared::kParallelogramBinding].first * kTexelBytes +
+                       packed.parallelograms.size() * sizeof(shared::ParallelogramData));
 }
 
 void LightBuffers::update(const PackedLights& packed, LightKind kind, const SlotRange& slots) {

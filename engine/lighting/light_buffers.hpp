@@ -32,6 +32,11 @@ class LightBuffers {
     LightBuffers(const gl::Functions& gl, const PackedLights& packed,
                  const std::vector<shared::LightTextureData>& textures);
 
+    /// Writes the groups of the lights' tree after the parallelograms. There is room for as many as
+    /// there are lights.
+    void updateGroups(const PackedLights& packed,
+                      const std::vector<shared::ParallelogramData>& groups);
+
     /// Writes the slots of lights of `kind` anew, and the vertices that belong to them.
     void update(const PackedLights& packed, LightKind kind, const SlotRange& slots);
     /// The same for all `textures`, one of each textured polygon, from slot of these `slots`.

@@ -48,6 +48,10 @@ struct LightPlaces {
     std::vector<LightPlace> spheres;
     std::vector<LightPlace> tubes;
     std::vector<LightPlace> punctuals;
+
+    std::size_t count() const {
+        return polygons.size() + ellipses.size() + spheres.size() + tubes.size() + punctuals.size();
+    }
 };
 
 /// A LightSet in the form that the shaders read.

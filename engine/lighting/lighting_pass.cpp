@@ -22,19 +22,21 @@ LightingPass::LightingPass(const gl::Functions& gl, const gl::ShaderLibrary& lib
       resources_(gl, library, model, specularTable),
       noVertices_(gl, "lighting, no vertices") {}
 
-gl::Program LightingPass::makeProgram(const std::vector<std::string>& defines) const {
+gl::Program LightingPass::makeProgram(std::vector<std::string> defines) const {
     // Pixels without a surface fail the depth test.
-    std::vector<std::string> all = defines;
-    all.emplace_back("POLYLUME_SHADES_ALL");
-    return {gl_, library_, "passes/fullscreen.vert", "passes/lighting.frag", all, "lighting"};
+    defines.emplace_back("POLYLUME_SHADES_ALL");
+    return {gl_, library_, "passes/fullscreen.vert", "passes/lighting.frag", defines, "lighting"};
 }
 
 void LightingPass::take(LightSet lights) {
     PreparedLights prepared = resources_.prepare(std::move(lights));
-    if (program_.isEmpty() || prepared.defines != programDefines_) {
+    const bool isOther = program_.isEmpty() || prepared.defines != programDefines_;
+    if (isOther && wantsLists(prepared.packed)) {
+        program_ = {};
+    } else if (isOther) {
         program_ = makeProgram(prepared.defines);
-        programDefines_ = prepared.defines;
     }
+    programDefines_ = prepared.defines;
     resources_.use(std::move(prepared));
 }
 
@@ -79,12 +81,38 @@ void LightingPass::setLobes(Lobes lobes) {
     resources_.setLobes(lobes);
 }
 
-void LightingPass::draw(const GBufferTextures& gbuffer) const {
-    if (program_.isEmpty()) program_ = makeProgram(defines());
+void LightingPass::setLightThreshold(std::optional<float> nits) {
+    if (nits) checkLightThreshold(*nits);
+    lightThreshold_ = nits;
+}
+
+bool LightingPass::wantsLists(const PackedLights& packed) const {
+    return lightThreshold_ && LightLists::areWorthwhile(packed.places);
+}
+
+const gl::Program& LightingPass::makeLists(const GBufferTextures& gbuffer) {
+    if (!lists_) lists_ = std::make_unique<LightLists>(gl_, library_);
+    std::vector<std::string> defines = listedDefines(this->defines());
+    if (listedProgram_.isEmpty() || listedDefines_ != defines) {
+        listedProgram_ = makeProgram(defines);
+        listedDefines_ = std::move(defines);
+    }
+    glm::ivec2 size(0);
+    gl_.GetTextureLevelParameteriv(gbuffer.front(), 0, GL_TEXTURE_WIDTH, &size.x);
+    gl_.GetTextureLevelParameteriv(gbuffer.front(), 0, GL_TEXTURE_HEIGHT, &size.y);
+    lists_->make(resources_, size, *lightThreshold_);
+    bind();
+    return listedProgram_;
+}
+
+void LightingPass::draw(const GBufferTextures& gbuffer) {
+    drewLists_ = wantsLists(packedLights());
+    if (program_.isEmpty() && !drewLists_) program_ = makeProgram(defines());
     bind();
     gl_.BindTextures(0, static_cast<GLsizei>(gbuffer.size()), gbuffer.data());
     for (GLuint unit = 0; unit < gbuffer.size(); ++unit) gl_.BindSampler(unit, 0);
-    program_.use();
+    const gl::Program& program = drewLists_ ? makeLists(gbuffer) : program_;
+    program.use();
     gl_.BindVertexArray(noVertices_.name());
     gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl_.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
@@ -101,7 +129,7 @@ void LightingPass::draw(const GBufferTextures& gbuffer) const {
     // The depth texture is read while it is attached: what was written before has to be seen
     // (OpenGL 4.5, 9.3.1).
     gl_.TextureBarrier();
-    program_.drawArrays(GL_TRIANGLES, 0, 3);
+    program.drawArrays(GL_TRIANGLES, 0, 3);
 }
 
 }  // namespace polylume

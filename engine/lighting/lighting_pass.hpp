@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,6 +12,7 @@
 #include "gl/program.hpp"
 #include "gl/shader_library.hpp"
 #include "lighting/gbuffer_layout.hpp"
+#include "lighting/light_lists.hpp"
 #include "lighting/lighting_resources.hpp"
 #include "ltc/table.hpp"
 #include "polylume/light.hpp"
@@ -58,10 +61,20 @@ class LightingPass {
     /// comes without emission; sheen goes with the specular one.
     void setLobes(Lobes lobes);
 
+    /// Leaves out, tile by tile of the picture, lights that together add less than `nits` to every
+    /// channel of a pixel, and lights by groups of others where that stays within it, too
+    /// (LightLists); with 0 only those that give nothing. Nothing: all lights are lit by, as at
+    /// first, and where there are fewer than LightLists::kFewestLights. Throws Error for less than
+    /// 0 and what is no number.
+    void setLightThreshold(std::optional<float> nits);
+    const std::optional<float>& lightThreshold() const { return lightThreshold_; }
+    /// The lists of the last draw; null where there were none.
+    const LightLists* lightLists() const { return drewLists_ ? lists_.get() : nullptr; }
+
     /// Shades every pixel of `gbuffer` that has a surface into the bound draw framebuffer's first
     /// attachment; the depth attachment is the G-buffer's own. The camera block
     /// (shared/camera_data.h) is bound. Alpha becomes 1.
-    void draw(const GBufferTextures& gbuffer) const;
+    void draw(const GBufferTextures& gbuffer);
 
     /// Binds lights and tables for a program of the caller's that includes lighting/shade.glsl,
     /// built with defines().
@@ -76,18 +89,25 @@ class LightingPass {
     LightingPass(const gl::Functions& gl, const gl::ShaderLibrary& library,
                  const ltc::Table* specularTable, const LightingModel& model);
 
+    gl::Program makeProgram(std::vector<std::string> defines) const;
     void take(LightSet lights);
+    bool wantsLists(const PackedLights& packed) const;
+    /// Lists the lights for the picture in the textures, and their program.
+    const gl::Program& makeLists(const GBufferTextures& gbuffer);
     template <typename Light>
     void update(std::size_t first, std::span<const Light> lights);
-
-    gl::Program makeProgram(const std::vector<std::string>& defines) const;
 
     const gl::Functions& gl_;
     const gl::ShaderLibrary& library_;
     LightingResources resources_;
     std::vector<std::string> programDefines_;
     /// Without lights it is made by the first draw: most passes get lights before.
-    mutable gl::Program program_;
+    gl::Program program_;
+    std::optional<float> lightThreshold_;
+    std::unique_ptr<LightLists> lists_;  ///< Null before the first draw with lists.
+    std::vector<std::string> listedDefines_;
+    gl::Program listedProgram_;
+    bool drewLists_ = false;
     gl::VertexArray noVertices_;
 };
 

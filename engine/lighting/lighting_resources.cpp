@@ -3,9 +3,12 @@
 
 #include "lighting/lighting_resources.hpp"
 
+#include <algorithm>
+#include <map>
 #include <utility>
 
 #include "core/text.hpp"
+#include "lighting/light_summary.hpp"
 #include "lights/texture_check.hpp"
 #include "polylume/error.hpp"
 
@@ -36,6 +39,27 @@ std::vector<shared::LightTextureData> placeImages(const std::vector<TexturedLigh
     return textures;
 }
 
+float brightestTexelOf(const LightImage& image) {
+    float brightest = 0.0f;
+    for (const glm::vec3& texel : image.texels) {
+        brightest = std::max({brightest, texel.r, texel.g, texel.b});
+    }
+    return brightest;
+}
+
+std::vector<float> brightestTexelsOf(const LightSet& lights) {
+    std::vector<float> brightest(lights.polygons.size(), 1.0f);
+    std::map<const LightImage*, float> known;  // Many lights may have the same.
+    for (std::size_t i = 0; i < lights.polygons.size(); ++i) {
+        const std::optional<LightTexture>& texture = lights.polygons[i].texture;
+        if (!texture || !texture->image) continue;
+        const auto [entry, isNew] = known.try_emplace(texture->image.get());
+        if (isNew) entry->second = brightestTexelOf(*texture->image);
+        brightest[i] = entry->second;
+    }
+    return brightest;
+}
+
 }  // namespace
 
 LightingResources::LightingResources(const gl::Functions& gl, const gl::ShaderLibrary& library,
@@ -60,12 +84,14 @@ PreparedLights LightingResources::prepare(LightSet lights) {
     prepared.textures = placeImages(prepared.images.lights(), packed);
     prepared.buffers = LightBuffers(gl_, packed, prepared.textures);
     prepared.defines = makeDefines(packed);
+    prepared.brightestTexels = brightestTexelsOf(lights);
     prepared.lights = std::move(lights);
     return prepared;
 }
 
 void LightingResources::use(PreparedLights prepared) {
     inUse_ = std::move(prepared);
+    ++revision_;
     uploadSettings();
 }
 
@@ -109,12 +135,29 @@ std::size_t LightingResources::imageLayer(std::size_t polygon) const {
 
 void LightingResources::updateLightTexture(std::size_t polygon, GLuint texture) {
     inUse_.images.update(imageLayer(polygon), texture);
+    // Its texels are on the GPU, and nobody waits for them. A film is not another light each frame.
+    float& brightest = inUse_.brightestTexels[polygon];
+    if (brightest == static_cast<float>(LightSummary::kUnbounded)) return;
+    brightest = static_cast<float>(LightSummary::kUnbounded);
+    ++revision_;
 }
 
 void LightingResources::updateLightTexture(std::size_t polygon, const LightImage& image) {
     const std::size_t layer = imageLayer(polygon);
     checkLightImage(image, polygon);
     inUse_.images.update(layer, image);
+    inUse_.brightestTexels[polygon] = brightestTexelOf(image);
+    ++revision_;
+}
+
+void LightingResources::updateGroups(const std::vector<shared::ParallelogramData>& groups) {
+    inUse_.buffers.updateGroups(inUse_.packed, groups);
+}
+
+void LightingResources::setTilesAcross(std::uint32_t tileCount) {
+    if (tileCount == tilesAcross_) return;
+    tilesAcross_ = tileCount;
+    uploadSettings();
 }
 
 std::vector<std::string> LightingResources::makeDefines(const PackedLights& packed) const {
@@ -134,6 +177,15 @@ std::vector<std::string> LightingResources::makeDefines(const PackedLights& pack
     add(packed.ellipses.size() > packed.diskCount, "POLYLUME_ELLIPSE_LIGHTS");
     add(!packed.spheres.empty(), "POLYLUME_SPHERE_LIGHTS");
     add(!packed.tubes.empty(), "POLYLUME_TUBE_LIGHTS");
+    for (std::string& define : modelDefines()) defines.push_back(std::move(define));
+    return defines;
+}
+
+std::vector<std::string> LightingResources::modelDefines() const {
+    std::vector<std::string> defines;
+    const auto add = [&](bool condition, const char* name) {
+        if (condition) defines.emplace_back(name);
+    };
     add(tables_.specularLobeCount() == 2, "POLYLUME_TWO_LOBES");
     add(model_.specular == Specular::beckmann, "POLYLUME_SPECULAR_BECKMANN");
     add(model_.diffuse == Diffuse::burley, "POLYLUME_DIFFUSE_BURLEY");
@@ -149,8 +201,8 @@ void LightingResources::uploadSettings() {
     data.lightCount = {packed.parallelograms.size() - packed.texturedParallelogramCount,
                        packed.polygons.size() - packed.texturedPolygonCount,
                        packed.punctuals.size(), packed.triangleCount};
-    data.texturedLightCount = {packed.texturedParallelogramCount, packed.texturedPolygonCount, 0,
-                               0};
+    data.texturedLightCount = {packed.texturedParallelogramCount, packed.texturedPolygonCount,
+                               tilesAcross_, 0};
     data.roundLightCount = {packed.ellipses.size(), packed.spheres.size(), packed.tubes.size(),
                             packed.diskCount};
     const LightBuffers& buffers = inUse_.buffers;

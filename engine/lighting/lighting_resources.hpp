@@ -27,6 +27,8 @@ struct PreparedLights {
     LightTextureArray images;
     std::vector<shared::LightTextureData> textures;  ///< Of the textured polygons.
     LightBuffers buffers;
+    std::vector<float>
+        brightestTexels;               ///< For each polygon light the largest factor of its image.
     std::vector<std::string> defines;  ///< Of the shader variant that they and the model need.
 };
 
@@ -61,6 +63,16 @@ class LightingResources {
     void updateLightTexture(std::size_t polygon, const LightImage& image);
     void setLobes(Lobes lobes);
 
+    /// What LightLists needs: puts groups of lights beside the lights, and says how many tiles the
+    /// picture is wide.
+    void updateGroups(const std::vector<shared::ParallelogramData>& groups);
+    void setTilesAcross(std::uint32_t tileCount);
+    /// Changes whenever lights do; never 0.
+    std::uint64_t revision() const { return revision_; }
+    const std::vector<float>& brightestTexels() const { return inUse_.brightestTexels; }
+    /// Those of defines() that the lights have no say in.
+    std::vector<std::string> modelDefines() const;
+
     /// Binds all for a program that was built with defines().
     void bind() const;
     const std::vector<std::string>& defines() const { return inUse_.defines; }
@@ -91,6 +103,8 @@ class LightingResources {
     gl::Buffer settings_;
     std::shared_ptr<const LightImagePrograms> imagePrograms_;  ///< Null before a textured light.
     PreparedLights inUse_;
+    std::uint64_t revision_ = 0;
+    std::uint32_t tilesAcross_ = 0;
     PolygonCheckStorage checkStorage_;
 };
 

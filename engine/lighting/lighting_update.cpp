@@ -152,6 +152,7 @@ bool LightingResources::update(std::size_t first, std::span<const Light> lights)
         textures.end -= static_cast<std::uint32_t>(plain);
         inUse_.buffers.update(inUse_.textures, textures);
     }
+    ++revision_;
     if (inUse_.packed.flatScale != flatScale) uploadSettings();
     return true;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "render/gbuffer_readback.hpp"
 #include "view/camera_projection.hpp"
 #include "view/scene_lights.hpp"
 
@@ -19,6 +20,8 @@ std::unique_ptr<LightingPass> makeLighting(const gl::Functions& gl,
         options.specularTable
             ? std::make_unique<LightingPass>(gl, library, *options.specularTable, options.model)
             : std::make_unique<LightingPass>(gl, library, options.model);
+    // Before the lights: only the program that is needed is compiled.
+    lighting->setLightThreshold(options.lightThreshold);
     lighting->setLights(lights);
     lighting->setLobes(options.lobes);
     return lighting;
@@ -85,6 +88,29 @@ void FrameRenderer::setLights(const LightSet& lights) {
 void FrameRenderer::setLobes(Lobes lobes) {
     options_.lobes = lobes;
     lighting_->setLobes(lobes);
+}
+
+void FrameRenderer::setLightThreshold(std::optional<float> nits) {
+    lighting_->setLightThreshold(nits);
+    options_.lightThreshold = nits;
+}
+
+/// Of the pixels that show a lit surface, by all lights.
+double FrameRenderer::logMeanAtASmallSize() {
+    constexpr int kShare = 8;
+    const glm::ivec2 size = options_.size;
+    setSize(glm::max(size / kShare, 1));
+    drawFrame({0.5, 0.5});
+    accumulate();
+    const double logMean = litLogMeanLuminance(readMean(1), findLitPixels(gbuffer()));
+    setSize(size);
+    return logMean;
+}
+
+void FrameRenderer::chooseLightThreshold() {
+    if (options_.lightThreshold || !options_.chooseLightThreshold) return;
+    if (!LightLists::areWorthwhile(lighting_->packedLights().places)) return;
+    setLightThreshold(options_.chooseLightThreshold(logMeanAtASmallSize()));
 }
 
 void FrameRenderer::setModel(const LightingModel& model) {

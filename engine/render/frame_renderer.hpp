@@ -32,6 +32,10 @@ class FrameRenderer {
     /// LightingPass::setLights() does, and leaves the old ones.
     void setLights(const LightSet& lights);
     void setLobes(Lobes lobes);
+    /// As LightingPass has it.
+    void setLightThreshold(std::optional<float> nits);
+    /// Takes the one that RenderOptions::chooseLightThreshold gives, if it counts; draws for that.
+    void chooseLightThreshold();
     /// Whether it has sheen follows the scene. Throws ShaderError, and leaves the old one.
     void setModel(const LightingModel& model);
     void setBackground(const std::optional<glm::vec3>& background);
@@ -64,6 +68,8 @@ class FrameRenderer {
     const LightingPass& lighting() const { return *lighting_; }
 
   private:
+    double logMeanAtASmallSize();
+
     /// What depends on the picture's size.
     struct Targets {
         GBuffer gbuffer;

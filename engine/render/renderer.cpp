@@ -39,6 +39,7 @@ RenderedImage renderScene(Context& context, const gl::ShaderLibrary& library,
     FrameRenderer renderer(gl, library, scene, camera, options);
     context.debugLog().checkNoErrors("preparing the scene");
 
+    renderer.chooseLightThreshold();
     int done = 0;
     for (const glm::dvec2& position : pixelSamples(options.sampleCount)) {
         renderer.drawFrame(position);

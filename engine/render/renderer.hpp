@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <functional>
 #include <glm/glm.hpp>
 #include <optional>
 
@@ -19,6 +20,11 @@ namespace polylume {
 struct RenderOptions : ViewOptions {
     /// In place of the built-in one that `model` names.
     std::optional<ltc::Table> specularTable;
+    /// As LightingPass::setLightThreshold() has it.
+    std::optional<float> lightThreshold;
+    /// Where there is none: what it shall be, from the log-mean luminance of a small picture by all
+    /// lights, as RenderedImage has it. Empty, or with few lights: all lights it is.
+    std::function<float(double logMeanLuminance)> chooseLightThreshold;
 };
 
 /// Draws `scene` as `camera` sees it, with `context` current. Throws Error where OpenGL reports

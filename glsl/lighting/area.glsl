@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Polylume authors
 // SPDX-License-Identifier: MIT
 
+#include "lighting/far.glsl"
 #include "lighting/flat.glsl"
 #include "lighting/light.glsl"
+#include "lighting/light_range.glsl"
 #include "lighting/lobes.glsl"
 #include "lighting/read_lights.glsl"
 #include "surface/surface.glsl"
@@ -28,82 +30,65 @@ void addLight(vec2 factors, vec3 radiance, inout AreaLight sum) {
     sum.specular += inRange.y * radiance;
 }
 
+#if defined(POLYLUME_TEXTURED_PARALLELOGRAM_LIGHTS) || defined(POLYLUME_TEXTURED_POLYGON_LIGHTS)
+void addColors(LightColors factors, vec3 radiance, inout AreaLight sum) {
+    sum.diffuse += radiance * factors.diffuse;
+    sum.specular += radiance * factors.specular;
+}
+#endif
+
+#ifdef POLYLUME_LIGHT_LISTS
+void addFarLight(FarLight light, SurfaceLobes lobes, inout AreaLight sum) {
+    vec2 factors = farFactors(light, lobes);
+    sum.diffuse += factors.x * light.incidence;
+    sum.specular += factors.y * light.incidence;
+}
+#endif
+
 /// Adds what the surface reflects of all area lights.
 void addAreaLights(Surface surface, SurfaceLobes lobes, inout Reflection reflection) {
     vec3 position = surface.positionWorld;
     AreaLight sum = AreaLight(vec3(0.0), vec3(0.0));
     SurfaceLobes scaled = flatLobes(lobes);
-    // Where there are lights of a kind, the first of them is there. A software rasteriser runs the body of a loop that
-    // asks at its beginning once more, only to find that it is over.
 #ifdef POLYLUME_PARALLELOGRAM_LIGHTS
-    uint parallelogram = 0u;
-    uint parallelogramEnd = lighting.lightCount.x;
-    do {
-        vec2 factors = parallelogramFactors(parallelogram, position, scaled);
-        addLight(factors, parallelogramLight(parallelogram).radiance.rgb, sum);
-    } while (++parallelogram < parallelogramEnd);
+    POLYLUME_FOR_LIGHTS(parallelogramRange(), i,
+                        addLight(parallelogramFactors(i, position, scaled), parallelogramLight(i).radiance.rgb, sum))
 #endif
 #ifdef POLYLUME_TRIANGLE_LIGHTS
-    uint triangle = 0u;
-    uint triangleEnd = lighting.lightCount.w;
-    do {
-        addLight(triangleFactors(triangle, position, scaled), polygonLight(triangle).radiance.rgb, sum);
-    } while (++triangle < triangleEnd);
+    POLYLUME_FOR_LIGHTS(triangleRange(), i,
+                        addLight(triangleFactors(i, position, scaled), polygonLight(i).radiance.rgb, sum))
 #endif
 #ifdef POLYLUME_POLYGON_LIGHTS
-    uint polygon = lighting.lightCount.w;
-    uint polygonEnd = lighting.lightCount.y;
-    do {
-        addLight(polygonFactors(polygon, position, scaled), polygonLight(polygon).radiance.rgb, sum);
-    } while (++polygon < polygonEnd);
+    POLYLUME_FOR_LIGHTS(polygonRange(), i,
+                        addLight(polygonFactors(i, position, scaled), polygonLight(i).radiance.rgb, sum))
 #endif
 #ifdef POLYLUME_TEXTURED_PARALLELOGRAM_LIGHTS
-    uint texturedParallelogram = lighting.lightCount.x;
-    uint texturedParallelogramEnd = lighting.lightCount.x + lighting.texturedLightCount.x;
-    do {
-        ParallelogramData light = parallelogramLight(texturedParallelogram);
-        LightColors colors = texturedParallelogramColors(light, position, scaled);
-        sum.diffuse += light.radiance.rgb * colors.diffuse;
-        sum.specular += light.radiance.rgb * colors.specular;
-    } while (++texturedParallelogram < texturedParallelogramEnd);
+    POLYLUME_FOR_LIGHTS(texturedParallelogramRange(), i,
+                        addColors(texturedParallelogramColors(parallelogramLight(i), position, scaled),
+                                  parallelogramLight(i).radiance.rgb, sum))
 #endif
 #ifdef POLYLUME_TEXTURED_POLYGON_LIGHTS
-    uint textured = 0u;
-    uint texturedEnd = lighting.texturedLightCount.y;
-    do {
-        uint index = lighting.lightCount.y + textured;
-        LightColors colors = texturedPolygonColors(index, lightTexture(textured), position, scaled);
-        sum.diffuse += polygonLight(index).radiance.rgb * colors.diffuse;
-        sum.specular += polygonLight(index).radiance.rgb * colors.specular;
-    } while (++textured < texturedEnd);
+    POLYLUME_FOR_LIGHTS(texturedPolygonRange(), i,
+                        addColors(texturedPolygonColors(i, lightTexture(i - lighting.lightCount.y), position, scaled),
+                                  polygonLight(i).radiance.rgb, sum))
 #endif
 #ifdef POLYLUME_DISK_LIGHTS
-    uint disk = 0u;
-    uint diskEnd = lighting.roundLightCount.w;
-    do {
-        addLight(diskFactors(disk, position, lobes), ellipseLight(disk).radiance.rgb, sum);
-    } while (++disk < diskEnd);
+    POLYLUME_FOR_LIGHTS(diskRange(), i,
+                        addLight(diskFactors(i, position, lobes), ellipseLight(i).radiance.rgb, sum))
 #endif
 #ifdef POLYLUME_ELLIPSE_LIGHTS
-    uint ellipse = lighting.roundLightCount.w;
-    uint ellipseEnd = lighting.roundLightCount.x;
-    do {
-        addLight(ellipseFactors(ellipse, position, lobes), ellipseLight(ellipse).radiance.rgb, sum);
-    } while (++ellipse < ellipseEnd);
+    POLYLUME_FOR_LIGHTS(ellipseRange(), i,
+                        addLight(ellipseFactors(i, position, lobes), ellipseLight(i).radiance.rgb, sum))
 #endif
 #ifdef POLYLUME_SPHERE_LIGHTS
-    uint sphere = 0u;
-    uint sphereEnd = lighting.roundLightCount.y;
-    do {
-        addLight(sphereFactors(sphere, position, lobes), sphereLight(sphere).radiance.rgb, sum);
-    } while (++sphere < sphereEnd);
+    POLYLUME_FOR_LIGHTS(sphereRange(), i,
+                        addLight(sphereFactors(i, position, lobes), sphereLight(i).radiance.rgb, sum))
 #endif
 #ifdef POLYLUME_TUBE_LIGHTS
-    uint tube = 0u;
-    uint tubeEnd = lighting.roundLightCount.z;
-    do {
-        addLight(tubeFactors(tube, position, lobes), tubeLight(tube).radiance.rgb, sum);
-    } while (++tube < tubeEnd);
+    POLYLUME_FOR_LIGHTS(tubeRange(), i, addLight(tubeFactors(i, position, lobes), tubeLight(i).radiance.rgb, sum))
+#endif
+#ifdef POLYLUME_LIGHT_LISTS
+    POLYLUME_FOR_LIGHTS(farRange(), i, addFarLight(farLight(i, position, lobes.frameFromWorld), lobes, sum))
 #endif
     reflection.diffuse += lobes.diffuseAlbedo * sum.diffuse;
     reflection.specular += lobes.reflectance * sum.specular;

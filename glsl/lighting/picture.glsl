@@ -26,6 +26,9 @@ void polylumeClean(inout Surface surface) {
 
 /// readSurface(), in the form that shadeSurface() wants.
 bool readPixel(ivec2 pixel, out Surface surface) {
+#ifdef POLYLUME_LIGHT_LISTS
+    findLightList(pixel, lighting.texturedLightCount.z);
+#endif
     bool isSurface = readSurface(pixel, surface);
 #ifdef POLYLUME_HOST_SURFACE
     polylumeClean(surface);

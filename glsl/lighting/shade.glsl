@@ -3,6 +3,7 @@
 
 #include "lighting/area.glsl"
 #include "lighting/light.glsl"
+#include "lighting/light_range.glsl"
 #include "surface/surface.glsl"
 #ifdef POLYLUME_PUNCTUAL_LIGHTS
 #include "lighting/punctual.glsl"
@@ -23,7 +24,7 @@ vec3 shadeSurface(Surface surface) {
     addSheen(surface, lobes.frameFromWorld, reflection, sheenAlbedo);
 #endif
 #ifdef POLYLUME_PUNCTUAL_LIGHTS
-    for (uint i = 0u; i < lighting.lightCount.z; ++i) addPunctual(punctuals[i], surface, reflection);
+    POLYLUME_FOR_LIGHTS(punctualRange(), i, addPunctual(punctuals[i], surface, reflection))
 #endif
     // What the surface reflects before it enters does not scatter inside: nothing gains energy.
     float remaining = 1.0 - largestComponent(lobes.reflectance);

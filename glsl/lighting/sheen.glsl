@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Polylume authors
 // SPDX-License-Identifier: MIT
 
+#include "lighting/far.glsl"
 #include "lighting/flat.glsl"
+#include "lighting/light_range.glsl"
 #include "lighting/read_lights.glsl"
 #include "lighting/round.glsl"
 #include "lighting/textured.glsl"
@@ -13,79 +15,72 @@
 
 void addLobe(float factor, vec3 radiance, inout vec3 sum) { sum += clamp(factor, 0.0, 1.0) * radiance; }
 
-/// Where the surface has sheen, what it reflects of the area lights with a sheen colour of 1 is added.
-/// `albedo` is the directional albedo there, else 0.
-void addSheen(Surface surface, mat3 frameFromWorld, inout Reflection reflection, out float albedo) {
-    bool hasSheen = max(surface.sheenColor.r, max(surface.sheenColor.g, surface.sheenColor.b)) > 0.0;
+#ifdef POLYLUME_LIGHT_LISTS
+void addFarLobe(FarLight light, LtcLobe lobe, inout vec3 sum) { sum += farLobeFactor(light, lobe) * light.incidence; }
+#endif
+
+bool hasSheen(Surface surface) {
+    return max(surface.sheenColor.r, max(surface.sheenColor.g, surface.sheenColor.b)) > 0.0;
+}
+
+/// The lobe, and its directional albedo: 0 where the surface has no sheen.
+LtcLobe sheenLobe(Surface surface, out float albedo) {
     float view = ltcViewParameter(surface.normalWorld, surface.viewWorld);
     LtcPlace place =
         ltcPlace(textureSize(sheenTable, 0).xy, lighting.sheenReference.xy, surface.sheenRoughness, view);
-    albedo = hasSheen ? ltcFetch(sheenTable, place, 1).x : 0.0;
-    LtcLobe lobe = ltcDecode(ltcFetch(sheenTable, place, 0), place.axis, 1.0);
+    albedo = hasSheen(surface) ? ltcFetch(sheenTable, place, 1).x : 0.0;
+    return ltcDecode(ltcFetch(sheenTable, place, 0), place.axis, 1.0);
+}
+
+/// Where the surface has sheen, what it reflects of the area lights with a sheen colour of 1 is added.
+/// `albedo` is the directional albedo there, else 0.
+void addSheen(Surface surface, mat3 frameFromWorld, inout Reflection reflection, out float albedo) {
+    LtcLobe lobe = sheenLobe(surface, albedo);
 
     vec3 position = surface.positionWorld;
     vec3 sum = vec3(0.0);
-    if (hasSheen) {
+    if (hasSheen(surface)) {
         mat3 scaledFrame = lighting.lobeWeight.w * frameFromWorld;
 #ifdef POLYLUME_PARALLELOGRAM_LIGHTS
-        uint parallelogram = 0u;
-        uint parallelogramEnd = lighting.lightCount.x;
-        do {
-            addLobe(parallelogramLobeFactor(parallelogram, position, scaledFrame, lobe),
-                    parallelogramLight(parallelogram).radiance.rgb, sum);
-        } while (++parallelogram < parallelogramEnd);
+        POLYLUME_FOR_LIGHTS(parallelogramRange(), i,
+                            addLobe(parallelogramLobeFactor(i, position, scaledFrame, lobe), parallelogramLight(i).radiance.rgb,
+                                    sum))
 #endif
 #ifdef POLYLUME_TRIANGLE_LIGHTS
-        uint triangle = 0u;
-        uint triangleEnd = lighting.lightCount.w;
-        do {
-            addLobe(triangleLobeFactor(triangle, position, scaledFrame, lobe), polygonLight(triangle).radiance.rgb, sum);
-        } while (++triangle < triangleEnd);
+        POLYLUME_FOR_LIGHTS(triangleRange(), i,
+                            addLobe(triangleLobeFactor(i, position, scaledFrame, lobe), polygonLight(i).radiance.rgb, sum))
 #endif
 #ifdef POLYLUME_POLYGON_LIGHTS
-        uint polygon = lighting.lightCount.w;
-        uint polygonEnd = lighting.lightCount.y;
-        do {
-            addLobe(polygonLobeFactor(polygon, position, scaledFrame, lobe), polygonLight(polygon).radiance.rgb, sum);
-        } while (++polygon < polygonEnd);
+        POLYLUME_FOR_LIGHTS(polygonRange(), i,
+                            addLobe(polygonLobeFactor(i, position, scaledFrame, lobe), polygonLight(i).radiance.rgb, sum))
 #endif
 #ifdef POLYLUME_TEXTURED_PARALLELOGRAM_LIGHTS
-        uint texturedParallelogram = lighting.lightCount.x;
-        uint texturedParallelogramEnd = lighting.lightCount.x + lighting.texturedLightCount.x;
-        do {
-            ParallelogramData light = parallelogramLight(texturedParallelogram);
-            sum += light.radiance.rgb * texturedParallelogramLobeColor(light, position, scaledFrame, lobe);
-        } while (++texturedParallelogram < texturedParallelogramEnd);
+        POLYLUME_FOR_LIGHTS(
+            texturedParallelogramRange(), i,
+            sum += parallelogramLight(i).radiance.rgb *
+                   texturedParallelogramLobeColor(parallelogramLight(i), position, scaledFrame, lobe))
 #endif
 #ifdef POLYLUME_TEXTURED_POLYGON_LIGHTS
-        uint textured = 0u;
-        uint texturedEnd = lighting.texturedLightCount.y;
-        do {
-            uint index = lighting.lightCount.y + textured;
-            sum += polygonLight(index).radiance.rgb * texturedPolygonLobeColor(index, lightTexture(textured), position,
-                                                                           scaledFrame, lobe, kDiffuseVariance);
-        } while (++textured < texturedEnd);
+        POLYLUME_FOR_LIGHTS(
+            texturedPolygonRange(), i,
+            sum += polygonLight(i).radiance.rgb *
+                   texturedPolygonLobeColor(i, lightTexture(i - lighting.lightCount.y), position, scaledFrame, lobe,
+                                            kDiffuseVariance))
 #endif
 #if defined(POLYLUME_DISK_LIGHTS) || defined(POLYLUME_ELLIPSE_LIGHTS)
-        uint ellipse = 0u;
-        uint ellipseEnd = lighting.roundLightCount.x;
-        do {
-            addLobe(ellipseLobeFactor(ellipse, position, frameFromWorld, lobe), ellipseLight(ellipse).radiance.rgb, sum);
-        } while (++ellipse < ellipseEnd);
+        POLYLUME_FOR_LIGHTS(everyEllipseRange(), i,
+                            addLobe(ellipseLobeFactor(i, position, frameFromWorld, lobe), ellipseLight(i).radiance.rgb, sum))
 #endif
 #ifdef POLYLUME_SPHERE_LIGHTS
-        uint sphere = 0u;
-        uint sphereEnd = lighting.roundLightCount.y;
-        do {
-            addLobe(sphereLobeFactor(sphere, position, frameFromWorld, lobe), sphereLight(sphere).radiance.rgb, sum);
-        } while (++sphere < sphereEnd);
+        POLYLUME_FOR_LIGHTS(sphereRange(), i,
+                            addLobe(sphereLobeFactor(i, position, frameFromWorld, lobe), sphereLight(i).radiance.rgb, sum))
 #endif
 #ifdef POLYLUME_TUBE_LIGHTS
-        uint tube = 0u;
-        uint tubeEnd = lighting.roundLightCount.z;
-        do {
-            addLobe(tubeLobeFactor(tube, position, frameFromWorld, lobe), tubeLight(tube).radiance.rgb, sum);
-        } while (++tube < tubeEnd);
+        POLYLUME_FOR_LIGHTS(tubeRange(), i,
+                            addLobe(tubeLobeFactor(i, position, frameFromWorld, lobe), tubeLight(i).radiance.rgb, sum))
+#endif
+#ifdef POLYLUME_LIGHT_LISTS
+        POLYLUME_FOR_LIGHTS(farRange(), i, addFarLobe(farLight(i, position, frameFromWorld), lobe, sum))
 #endif
     }
     reflection.sheen += albedo * sum;

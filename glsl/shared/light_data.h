@@ -26,7 +26,8 @@ struct LightingData {
     uvec4 lightCount;          ///< Parallelograms, polygons, punctual lights; w: how many of the polygons are triangles,
                                ///< the first ones.
     uvec4 roundLightCount;     ///< Ellipses, spheres, tubes; w: how many of the ellipses are disks, the first ones.
-    uvec4 texturedLightCount;  ///< Parallelograms and polygons after those that lightCount counts; zw unused.
+    uvec4 texturedLightCount;  ///< Parallelograms and polygons after those that lightCount counts; z: tiles that a picture
+                               ///< with light lists is wide; w unused.
     uvec4 firstTexel;       ///< In lightTexels: of parallelograms, polygons, polygons' vertices, light textures.
     uvec4 firstRoundTexel;  ///< Of ellipses, spheres, tubes; w unused.
     vec4 textureScale;    ///< Of the images of lights: x: 1 / texels of a layer's side, y: the coarsest level; zw unused.

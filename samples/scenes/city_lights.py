@@ -12,6 +12,7 @@ FOCUS = (0.0, 3.0, -10.0)   # What is near to it comes first,
 STREET_HALF = 9.2           # what is in the camera's street before what is beyond its houses.
 DETOUR = 45.0
 STREET_SHARE = 0.6          # Distance along that street counts as this much of it.
+LATER = {"balcony line": 150.0, "neon frame": 120.0}  # Many and alike: metres that they count as farther away.
 DOWN = turn((1.0, 0.0, 0.0), -90.0)
 
 # cd/m^2, of windows those to choose from. The surfaces around have some 6.
@@ -47,7 +48,7 @@ class Lights:
             distance += DETOUR + 0.5 * beyond
         if place[2] > FOCUS[2] + 24.0:
             distance += 0.7 * (place[2] - FOCUS[2] - 24.0)  # Behind the camera.
-        rank = (weight + distance) * self._dice.between(0.75, 1.25)
+        rank = (weight + distance + LATER.get(kind, 0.0)) * self._dice.between(0.75, 1.25)
         self._all.append(Light(kind, shape, place, extension, light, placement, round(rank, 3)))
 
     def rect(self, kind, frame, place, size, color, nits, picture=None, two_sided=False, weight=0.0):

@@ -95,7 +95,7 @@ TEST_F(BenchTest, measuresScenesInPlaceOfShapes) {
     EXPECT_GT(report["scenes"][1]["areaLights"], 1);
     EXPECT_GT(report["scenes"][1]["lightingSeconds"]["median"], 0.0);
     EXPECT_GT(report["scenes"][0]["peakMemoryBytes"], 10'000'000);
-    EXPECT_TRUE(report["scenes"][0]["lightsPerPixel"].is_null());
+    EXPECT_TRUE(report["scenes"][0]["lists"].is_null());
     EXPECT_THAT(readText("scenes.svg"), HasSubstr("area lights"));
 }
 

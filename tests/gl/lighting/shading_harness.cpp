@@ -4,6 +4,7 @@
 #include "shading_harness.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 #include "ltc/builtin_table.hpp"
 #include "ltc/polygon_integral.hpp"
@@ -93,11 +94,14 @@ const ltc::Table& specularTableOf(const LightingModel& model) {
     return ltc::builtinTable(high ? BuiltinTable::ggxTwoLobes : BuiltinTable::ggx);
 }
 
-glm::dvec3 reflectInDouble(const SurfacePixel& pixel, const PolygonLight& light,
-                           const LightingModel& model) {
+namespace {
+
+/// `shade` gives the reflections of a pixel by a table.
+template <typename Shade>
+glm::dvec3 reflect(const SurfacePixel& pixel, const LightingModel& model, const Shade& shadeBy) {
     using ltc::BuiltinTable;
     const ltc::Table& table = specularTableOf(model);
-    const ReferenceShading shading = shadeInDouble(pixel, light, table);
+    const ReferenceShading shading = shadeBy(pixel, table);
     const double cosView = std::clamp(glm::dot(glm::normalize(glm::dvec3(pixel.normalWorld)),
                                                glm::normalize(glm::dvec3(pixel.viewWorld))),
                                       1e-4, 1.0);
@@ -107,10 +111,9 @@ glm::dvec3 reflectInDouble(const SurfacePixel& pixel, const PolygonLight& light,
     const double remaining = 1.0 - std::max({reflectance.r, reflectance.g, reflectance.b});
     double diffuse = shading.diffuse;
     if (model.diffuse != Diffuse::lambert) {
-        const ReferenceShading rough = shadeInDouble(
-            pixel, light,
-            ltc::builtinTable(model.diffuse == Diffuse::burley ? BuiltinTable::burley
-                                                               : BuiltinTable::orenNayar));
+        const ReferenceShading rough = shadeBy(
+            pixel, ltc::builtinTable(model.diffuse == Diffuse::burley ? BuiltinTable::burley
+                                                                      : BuiltinTable::orenNayar));
         diffuse = rough.albedo * rough.specular;
     }
     glm::dvec3 sum = std::max(remaining, 0.0) * glm::dvec3(pixel.diffuseAlbedo) * diffuse +
@@ -118,14 +121,75 @@ glm::dvec3 reflectInDouble(const SurfacePixel& pixel, const PolygonLight& light,
     if (model.sheen && pixel.sheenColor != glm::vec3(0.0f)) {
         SurfacePixel cloth = pixel;
         cloth.roughness = pixel.sheenRoughness;
-        const ReferenceShading sheen =
-            shadeInDouble(cloth, light, ltc::builtinTable(BuiltinTable::charlie));
+        const ReferenceShading sheen = shadeBy(cloth, ltc::builtinTable(BuiltinTable::charlie));
         const double albedo = sheen.albedo;
         const glm::dvec3 color(pixel.sheenColor);
         sum *= 1.0 - albedo * std::max({color.r, color.g, color.b});
         sum += albedo * sheen.specular * color;
     }
-    return sum * glm::dvec3(light.radiance);
+    return sum;
+}
+
+template <typename Light>
+glm::dvec3 reflectLight(const SurfacePixel& pixel, const Light& light, const LightingModel& model) {
+    return glm::dvec3(light.radiance) *
+           reflect(pixel, model, [&](const SurfacePixel& at, const ltc::Table& table) {
+               return shadeInDouble(at, light, table);
+           });
+}
+
+}  // namespace
+
+glm::dvec3 reflectInDouble(const SurfacePixel& pixel, const PolygonLight& light,
+                           const LightingModel& model) {
+    return reflectLight(pixel, light, model);
+}
+
+glm::dvec3 reflectInDouble(const SurfacePixel& pixel, const EllipseLight& light,
+                           const LightingModel& model) {
+    return reflectLight(pixel, light, model);
+}
+
+glm::dvec3 reflectInDouble(const SurfacePixel& pixel, const SphereLight& light,
+                           const LightingModel& model) {
+    return reflectLight(pixel, light, model);
+}
+
+glm::dvec3 reflectInDouble(const SurfacePixel& pixel, const TubeLight& light,
+                           const LightingModel& model) {
+    return reflectLight(pixel, light, model);
+}
+
+glm::dvec3 reflectFarInDouble(const SurfacePixel& pixel, const shared::LightNodeData& node,
+                              const LightingModel& model) {
+    const auto shadeFar = [&](const SurfacePixel& at, const ltc::Table& table) {
+        const PixelFrame frame(at);
+        const glm::dvec3 offset = glm::dvec3(node.center) - frame.position;
+        const glm::dvec3 direction = glm::normalize(offset);
+        const glm::dvec3 normal(node.normal);
+        double cosine = 1.0;
+        if (normal != glm::dvec3(0.0)) {
+            cosine = -glm::dot(normal, direction);
+            cosine = node.flux.w > 0.0f ? std::abs(cosine) : std::max(cosine, 0.0);
+        }
+        const glm::dvec3 local = frame.toLocal(direction);
+        const double solidAngle = local.z > 0.0 ? cosine / glm::dot(offset, offset) : 0.0;
+        const ltc::TableEntry entry = table.lookup(at.roughness, frame.cosView);
+        ReferenceShading shading;
+        shading.diffuse = solidAngle * std::max(local.z, 0.0) / std::numbers::pi;
+        for (int i = 0; i < entry.lobeCount; ++i) {
+            const ltc::Lobe& lobe = entry.lobes[i];
+            const glm::dvec3 v(lobe.m11 * local.x + lobe.m13 * local.z, local.y,
+                               lobe.m31 * local.x + lobe.m33 * local.z);
+            const double determinant = lobe.m11 * lobe.m33 - lobe.m13 * lobe.m31;
+            const double square = glm::dot(v, v);
+            shading.specular += solidAngle * entry.shares[i] * determinant * std::max(v.z, 0.0) /
+                                (std::numbers::pi * square * square * ltc::upperShare(lobe));
+        }
+        shading.albedo = entry.albedo;
+        return shading;
+    };
+    return glm::dvec3(node.flux) * reflect(pixel, model, shadeFar);
 }
 
 }  // namespace polylume::test

@@ -10,6 +10,7 @@
 #include "render/gbuffer.hpp"
 #include "render/gbuffer_readback.hpp"
 #include "render/octahedral.hpp"
+#include "shared/light_list_data.h"
 #include "view/camera_projection.hpp"
 
 namespace polylume::test {
@@ -83,8 +84,16 @@ class ShadingHarness {
         gbuffer_.texture(kSheenAttachment).upload(GL_RGBA, GL_FLOAT, sheen.data());
     }
 
+    /// Binds camera and G-buffer for a shader that reads surfaces.
+    void bindSurfaces() const {
+        gl_.BindBufferBase(GL_UNIFORM_BUFFER, shared::kCameraBinding, cameraBlock_.name());
+        const GBufferTextures names = gbuffer_.textureNames();
+        gl_.BindTextures(0, static_cast<GLsizei>(names.size()), names.data());
+        for (GLuint unit = 0; unit < names.size(); ++unit) gl_.BindSampler(unit, 0);
+    }
+
     /// Radiance of every pixel, rows from the top.
-    std::vector<glm::vec4> shade(const LightingPass& lighting) {
+    std::vector<glm::vec4> shade(LightingPass& lighting) {
         gl_.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
         gl_.BindBufferBase(GL_UNIFORM_BUFFER, shared::kCameraBinding, cameraBlock_.name());
         target_.bind();
@@ -135,9 +144,19 @@ ReferenceShading shadeInDouble(const SurfacePixel& pixel, const TubeLight& light
 /// The built-in specular table of `model`.
 const ltc::Table& specularTableOf(const LightingModel& model);
 
-/// The whole of shadeSurface() in double but emission: what the surface reflects of one polygon
-/// light by the built-in tables of `model`, in nits.
+/// The whole of shadeSurface() in double but emission: what the surface reflects of one light by
+/// the built-in tables of `model`, in nits.
 glm::dvec3 reflectInDouble(const SurfacePixel& pixel, const PolygonLight& light,
                            const LightingModel& model);
+glm::dvec3 reflectInDouble(const SurfacePixel& pixel, const EllipseLight& light,
+                           const LightingModel& model);
+glm::dvec3 reflectInDouble(const SurfacePixel& pixel, const SphereLight& light,
+                           const LightingModel& model);
+glm::dvec3 reflectInDouble(const SurfacePixel& pixel, const TubeLight& light,
+                           const LightingModel& model);
+
+/// What it reflects of lights that count as a point (lighting/far.glsl).
+glm::dvec3 reflectFarInDouble(const SurfacePixel& pixel, const shared::LightNodeData& node,
+                              const LightingModel& model);
 
 }  // namespace polylume::test

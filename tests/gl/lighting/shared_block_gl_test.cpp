@@ -11,6 +11,7 @@
 #include "shared/emitter_data.h"
 #include "shared/instance_data.h"
 #include "shared/light_data.h"
+#include "shared/light_list_data.h"
 #include "shared/light_texture_data.h"
 #include "shared/material_data.h"
 
@@ -106,6 +107,28 @@ const std::vector<Field> kPunctualFields = {
     POLYLUME_FIELD(PunctualData, "punctuals[0].", direction),
     POLYLUME_FIELD(PunctualData, "punctuals[0].", intensity),
     POLYLUME_FIELD(PunctualData, "punctuals[0].", cone)};
+
+const std::vector<Field> kLightListFields = {
+    POLYLUME_FIELD(LightListData, "lightList.", tileCount),
+    {"lightList.nodeEnds[0]", offsetof(shared::LightListData, nodeEnds)},
+    POLYLUME_FIELD(LightListData, "lightList.", threshold)};
+const std::vector<Field> kTileFields = {
+    POLYLUME_FIELD(TileData, "tiles[0].", center),
+    POLYLUME_FIELD(TileData, "tiles[0].", halfSize),
+    POLYLUME_FIELD(TileData, "tiles[0].", normalLow),
+    POLYLUME_FIELD(TileData, "tiles[0].", normalHigh),
+    {"tiles[0].rowLow[0]", offsetof(shared::TileData, rowLow)},
+    {"tiles[0].rowHigh[0]", offsetof(shared::TileData, rowHigh)},
+    POLYLUME_FIELD(TileData, "tiles[0].", diffuse),
+    POLYLUME_FIELD(TileData, "tiles[0].", wide),
+    POLYLUME_FIELD(TileData, "tiles[0].", specular)};
+const std::vector<Field> kLightNodeFields = {POLYLUME_FIELD(LightNodeData, "nodes[0].", center),
+                                             POLYLUME_FIELD(LightNodeData, "nodes[0].", normal),
+                                             POLYLUME_FIELD(LightNodeData, "nodes[0].", flux),
+                                             POLYLUME_FIELD(LightNodeData, "nodes[0].", radiance),
+                                             POLYLUME_FIELD(LightNodeData, "nodes[0].", moments),
+                                             POLYLUME_FIELD(LightNodeData, "nodes[0].", far),
+                                             POLYLUME_FIELD(LightNodeData, "nodes[0].", group)};
 
 /// What the linked program says of its blocks, against what C++ says: a size alone would pass two
 /// fields swapped.
@@ -224,6 +247,47 @@ TEST_P(SharedBlockTest, lightBuffersLieAsInCpp) {
     check(kSphereFields, sizeof(shared::SphereData));
     check(kTubeFields, sizeof(shared::TubeData));
     check(kLightTextureFields, sizeof(shared::LightTextureData));
+}
+
+TEST_P(SharedBlockTest, dataOfLightListsLieAsInCpp) {
+    gl::ShaderLibrary library;
+    library.setFile("passes/list_reader.frag", R"(#include "shared/light_list_data.h"
+layout(location = 0) out vec4 result;
+layout(std140, binding = kLightListBinding) uniform LightListBlock { LightListData lightList; };
+layout(std430, binding = 0) readonly buffer TileBlock { TileData tiles[]; };
+layout(std430, binding = 1) readonly buffer NodeBlock { LightNodeData nodes[]; };
+void main() {
+    TileData t = tiles[0];
+    LightNodeData n = nodes[0];
+    result = vec4(lightList.tileCount + lightList.nodeEnds[0] + lightList.nodeEnds[2]) + lightList.threshold;
+    result += t.center + t.halfSize + t.normalLow + t.normalHigh + t.rowLow[0] + t.rowHigh[2];
+    result += t.diffuse + t.wide + t.specular;
+    result += n.center + n.normal + n.flux + n.radiance + n.moments + n.far + n.group;
+}
+)",
+                    "list reader");
+    const gl::Program reader(gl(), library, "passes/fullscreen.vert", "passes/list_reader.frag", {},
+                             "list reader");
+    EXPECT_EQ(countMatches(reader, GL_UNIFORM, kLightListFields),
+              static_cast<int>(kLightListFields.size()));
+    EXPECT_EQ(property(reader, GL_UNIFORM_BLOCK, "LightListBlock", GL_BUFFER_DATA_SIZE),
+              static_cast<GLint>(sizeof(shared::LightListData)));
+    EXPECT_EQ(property(reader, GL_UNIFORM_BLOCK, "LightListBlock", GL_BUFFER_BINDING),
+              static_cast<GLint>(shared::kLightListBinding));
+    EXPECT_EQ(countMatches(reader, GL_BUFFER_VARIABLE, kTileFields),
+              static_cast<int>(kTileFields.size()));
+    EXPECT_EQ(countMatches(reader, GL_BUFFER_VARIABLE, kLightNodeFields),
+              static_cast<int>(kLightNodeFields.size()));
+    // The passes read them as texels, too, field after field.
+    EXPECT_EQ(property(reader, GL_BUFFER_VARIABLE, "tiles[0].center", GL_TOP_LEVEL_ARRAY_STRIDE),
+              static_cast<GLint>(sizeof(shared::TileData)));
+    EXPECT_EQ(sizeof(shared::TileData), shared::kTileTexels * sizeof(glm::vec4));
+    EXPECT_EQ(property(reader, GL_BUFFER_VARIABLE, "nodes[0].center", GL_TOP_LEVEL_ARRAY_STRIDE),
+              static_cast<GLint>(sizeof(shared::LightNodeData)));
+    EXPECT_EQ(sizeof(shared::LightNodeData), shared::kLightNodeTexels * sizeof(glm::vec4));
+    std::vector<Field> swapped = kLightNodeFields;
+    std::swap(swapped[4].offset, swapped[5].offset);
+    EXPECT_EQ(countMatches(reader, GL_BUFFER_VARIABLE, swapped), -1);
 }
 
 TEST_P(SharedBlockTest, swappedFieldsAreFound) {

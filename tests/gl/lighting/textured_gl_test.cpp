@@ -94,8 +94,7 @@ class TexturedLightTest : public test::GlTest {
         lighting.setLights(lights);
         return shade(lighting, points);
     }
-    std::vector<glm::vec4> shade(const LightingPass& lighting,
-                                 const std::vector<ShadingPoint>& points) {
+    std::vector<glm::vec4> shade(LightingPass& lighting, const std::vector<ShadingPoint>& points) {
         ShadingHarness harness(gl(), kSize, lighting.model().sheen);
         harness.setPoints(points);
         return harness.shade(lighting);

@@ -159,6 +159,21 @@ TEST(GlslValidationTest, everyComputeVariantIsValid) {
     EXPECT_EQ(validate("passes/lighting.frag", {"POLYLUME_HOST_SURFACE"}), "");
 }
 
+TEST(GlslValidationTest, everyVariantOfListsIsValid) {
+    for (const std::string& lights : kLightDefines) {
+        EXPECT_EQ(validate("passes/lighting.frag", {"POLYLUME_LIGHT_LISTS", lights}), "") << lights;
+    }
+    std::vector<std::string> defines = kLightDefines;
+    defines.insert(defines.end(), {"POLYLUME_LIGHT_LISTS", "POLYLUME_HOST_SURFACE",
+                                   "POLYLUME_TWO_LOBES", "POLYLUME_SHEEN"});
+    EXPECT_EQ(validate("passes/lighting.frag", defines), "");
+    EXPECT_EQ(validate("passes/lighting.comp", defines), "");
+    for (const char* define : {"POLYLUME_HOST_SURFACE", "POLYLUME_TWO_LOBES", "POLYLUME_SHEEN",
+                               "POLYLUME_DIFFUSE_BURLEY", "POLYLUME_DIFFUSE_OREN_NAYAR"}) {
+        EXPECT_EQ(validate("passes/tile_bounds.comp", {define}), "") << define;
+    }
+}
+
 TEST(GlslValidationTest, everyModelVariantIsValid) {
     const std::vector<std::string> all = {
         "POLYLUME_TWO_LOBES",      "POLYLUME_SPECULAR_BECKMANN",
@@ -181,6 +196,25 @@ TEST(GlslValidationTest, everyModelVariantIsValid) {
                            {all[0], all[1], diffuse, all[4], "POLYLUME_POLYGON_LIGHTS",
                             "POLYLUME_PUNCTUAL_LIGHTS"}),
                   "");
+    }
+}
+
+TEST(GlslValidationTest, everyVariantWithLightListsIsValid) {
+    const std::vector<std::vector<std::string>> models = {
+        {},
+        {"POLYLUME_TWO_LOBES"},
+        {"POLYLUME_DIFFUSE_BURLEY"},
+        {"POLYLUME_TWO_LOBES", "POLYLUME_DIFFUSE_OREN_NAYAR", "POLYLUME_SHEEN"},
+        {"POLYLUME_HOST_SURFACE"}};
+    for (const std::vector<std::string>& model : models) {
+        EXPECT_EQ(validate("passes/tile_bounds.comp", model), "");
+        std::vector<std::string> defines = model;
+        defines.emplace_back("POLYLUME_LIGHT_LISTS");
+        EXPECT_EQ(validate("passes/lighting.frag", defines), "");
+        defines.insert(defines.end(), kLightDefines.begin(), kLightDefines.end());
+        EXPECT_EQ(validate("passes/lighting.frag", defines), "");
+        defines.emplace_back("POLYLUME_TARGET_FORMAT rgba32f");
+        EXPECT_EQ(validate("passes/lighting.comp", defines), "");
     }
 }
 

@@ -7,6 +7,8 @@
 
 #include <cmath>
 #include <limits>
+#include <glm/glm.hpp>
+#include <random>
 
 namespace polylume {
 namespace {
@@ -158,6 +160,57 @@ TEST(DisplayTransformTest, withoutAlphaTheColourStands) {
     EXPECT_EQ(picture.channelCount, 3);
     const std::vector<std::uint8_t> expected = {188, 118, 255};
     EXPECT_EQ(picture.pixels, expected);
+}
+
+/// The most that a change of `nits` in some channels moves a value of a picture, in 8-bit steps,
+/// over many colours: by differences of what two pictures show, in the finest that floats have.
+int largestStep(ToneMap toneMap, double ev, double nits) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> exponent(-14.0f, 3.0f);
+    std::uniform_int_distribution<int> sign(0, 2);
+    // Many pixels that only differ a little show by their rounding how far a value has moved.
+    constexpr int kColors = 4000, kPhases = 16;
+    FloatImage before, after;
+    for (FloatImage* image : {&before, &after}) {
+        image->width = kPhases;
+        image->height = kColors;
+        image->channelNames = {"R", "G", "B", "A"};
+    }
+    const double white = 1.0 / exposureScale(ev);
+    for (int i = 0; i < kColors; ++i) {
+        glm::dvec3 color(std::exp2(exponent(random)), std::exp2(exponent(random)),
+                         std::exp2(exponent(random)));
+        if (i % 3 == 0) color = glm::dvec3(color.r);
+        const glm::dvec3 change(sign(random) - 1, sign(random) - 1, sign(random) - 1);
+        for (int k = 0; k < kPhases; ++k) {
+            const glm::dvec3 at = white * color * (1.0 + 0.002 * k);
+            for (int c = 0; c < 3; ++c) {
+                before.pixels.push_back(static_cast<float>(at[c]));
+                after.pixels.push_back(static_cast<float>(std::max(at[c] + nits * change[c], 0.0)));
+            }
+            before.pixels.push_back(1.0f);
+            after.pixels.push_back(1.0f);
+        }
+    }
+    const PixelImage a = displayImage(before, ev, toneMap, false);
+    const PixelImage b = displayImage(after, ev, toneMap, false);
+    int largest = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        largest = std::max(largest, std::abs(int(a.pixels[i]) - int(b.pixels[i])));
+    }
+    return largest;
+}
+
+TEST(DisplayTransformTest, aChangeOfHalfAStepMovesNoValueByMoreThanOne) {
+    for (const ToneMap toneMap :
+         {ToneMap::none, ToneMap::reinhard, ToneMap::aces, ToneMap::neutral}) {
+        for (const double ev : {-3.0, 4.0, 12.0}) {
+            const double nits = halfStepNits(ev, toneMap);
+            EXPECT_LE(largestStep(toneMap, ev, nits), 1) << ev;
+            // It is not far too small either.
+            EXPECT_GE(largestStep(toneMap, ev, 5.0 * nits), 2) << ev;
+        }
+    }
 }
 
 }  // namespace
