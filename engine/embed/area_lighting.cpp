@@ -66,6 +66,10 @@ void AreaLighting::setLobes(Lobes lobes) {
     State::inContext(state_).setLobes(lobes);
 }
 
+void AreaLighting::setLightThreshold(std::optional<float> nits) {
+    State::inContext(state_).setLightThreshold(nits);
+}
+
 void AreaLighting::draw(const LightingFrame& frame) {
     State::inContext(state_).draw(frame);
 }

@@ -6,12 +6,14 @@
 #include <array>
 #include <utility>
 
+#include "core/text.hpp"
 #include "embed/frame_check.hpp"
 #include "embed/host_functions.hpp"
 #include "embed/lighting_camera.hpp"
 #include "lighting/gbuffer_layout.hpp"
 #include "ltc/table.hpp"
 #include "shared/camera_data.h"
+#include "shared/light_list_data.h"
 
 namespace polylume::embed {
 namespace {
@@ -19,7 +21,8 @@ namespace {
 using Unit = ShaderInputKeeper::Unit;
 using Block = ShaderInputKeeper::Block;
 
-/// What draw() binds; the first ones for the G-buffer, which a host's snippet has no need of.
+/// What draw() binds; the first ones for the G-buffer, which a host's snippet has no need of, the
+/// last ones for lists of lights.
 constexpr std::array kDrawUnits = {Unit{0, GL_TEXTURE_2D},
                                    Unit{1, GL_TEXTURE_2D},
                                    Unit{2, GL_TEXTURE_2D},
@@ -30,7 +33,10 @@ constexpr std::array kDrawUnits = {Unit{0, GL_TEXTURE_2D},
                                    Unit{shared::kSpecularTableUnit, GL_TEXTURE_2D_ARRAY},
                                    Unit{shared::kDiffuseTableUnit, GL_TEXTURE_2D_ARRAY},
                                    Unit{shared::kSheenTableUnit, GL_TEXTURE_2D_ARRAY},
-                                   Unit{shared::kLightImageUnit, GL_TEXTURE_2D_ARRAY}};
+                                   Unit{shared::kLightImageUnit, GL_TEXTURE_2D_ARRAY},
+                                   Unit{shared::kLightListUnit, GL_TEXTURE_BUFFER},
+                                   Unit{shared::kLightNodeUnit, GL_TEXTURE_BUFFER}};
+constexpr std::size_t kListUnitCount = 2;
 constexpr std::array kDrawBlocks = {Block{GL_UNIFORM_BUFFER, shared::kCameraBinding},
                                     Block{GL_UNIFORM_BUFFER, shared::kLightingBinding},
                                     Block{GL_SHADER_STORAGE_BUFFER, 0},
@@ -40,8 +46,12 @@ constexpr std::array kDrawBlocks = {Block{GL_UNIFORM_BUFFER, shared::kCameraBind
                                     Block{GL_SHADER_STORAGE_BUFFER, 4},
                                     Block{GL_SHADER_STORAGE_BUFFER, 5},
                                     Block{GL_SHADER_STORAGE_BUFFER, 6},
-                                    Block{GL_SHADER_STORAGE_BUFFER, 7}};
-static_assert(kDrawBlocks.size() == 2 + shared::kStorageBindingCount);
+                                    Block{GL_SHADER_STORAGE_BUFFER, 7},
+                                    Block{GL_UNIFORM_BUFFER, shared::kLightListBinding}};
+constexpr std::size_t kListBlockCount = 1;
+static_assert(kDrawUnits.size() <= ShaderInputKeeper::kMostUnits);
+static_assert(kDrawBlocks.size() <= ShaderInputKeeper::kMostBlocks);
+static_assert(kDrawBlocks.size() == 2 + shared::kStorageBindingCount + kListBlockCount);
 static_assert(kDrawUnits[kGBufferAttachments.size()].unit == shared::kLightUnit);
 
 /// What filtering of lights' images binds.
@@ -49,9 +59,15 @@ constexpr std::array kFilterUnits = {Unit{shared::kLightImageUnit, GL_TEXTURE_2D
                                      Unit{shared::kBakeSourceUnit, GL_TEXTURE_2D},
                                      Unit{shared::kBakeCoverageUnit, GL_TEXTURE_2D}};
 
-std::span<const Unit> drawUnits(bool hasHostSurface) {
+std::span<const Unit> drawUnits(bool hasHostSurface, bool withLists) {
     const std::span<const Unit> all(kDrawUnits);
-    return hasHostSurface ? all.subspan(kGBufferAttachments.size()) : all;
+    const std::span<const Unit> used = all.first(all.size() - (withLists ? 0 : kListUnitCount));
+    return hasHostSurface ? used.subspan(kGBufferAttachments.size()) : used;
+}
+
+std::span<const Block> drawBlocks(bool withLists) {
+    const std::span<const Block> all(kDrawBlocks);
+    return all.first(all.size() - (withLists ? 0 : kListBlockCount));
 }
 
 gl::ShaderLibrary makeLibrary(const std::string& surfaceGlsl) {
@@ -97,9 +113,44 @@ void AreaLightingState::setLights(LightSet lights) {
     const ShaderInputKeeper inputs(gl_, kFilterUnits, {});
     const PictureKeeper picture(gl_, traits_);
     PreparedLights prepared = resources_.prepare(std::move(lights));
-    programs_.prepare(prepared.defines);
-    programs_.use(prepared.defines);
+    const bool withLists = lightThreshold_ && LightLists::areWorthwhile(prepared.packed.places);
+    useProgram(prepared.defines, withLists);
     resources_.use(std::move(prepared));
+}
+
+void AreaLightingState::setLightThreshold(std::optional<float> nits) {
+    if (nits) checkLightThreshold(*nits);
+    const bool withLists = nits && LightLists::areWorthwhile(resources_.packedLights().places);
+    if (withLists != usesLists_) useProgram(resources_.defines(), withLists);
+    lightThreshold_ = nits;
+}
+
+void AreaLightingState::useProgram(const std::vector<std::string>& defines, bool withLists) {
+    if (withLists) prepareLists();
+    const std::vector<std::string> used = withLists ? listedDefines(defines) : defines;
+    programs_.prepare(used);
+    programs_.use(used);
+    usesLists_ = withLists;
+}
+
+void AreaLightingState::prepareLists() {
+    if (!lists_) {
+        std::vector<std::string> defines;
+        if (hasHostSurface_) defines.emplace_back("POLYLUME_HOST_SURFACE");
+        lists_ = std::make_unique<LightLists>(gl_, library_, std::move(defines));
+    }
+    if (!hasHostSurface_) return lists_->prepare(resources_);
+    try {
+        lists_->prepare(resources_);
+    } catch (const ShaderError& error) {
+        std::string message = error.what();
+        while (message.ends_with('\n')) message.pop_back();
+        throw ShaderError(concat(
+            message,
+            "\nwith setLightThreshold() a compute shader has surfaceGlsl, too, whatever the stage: "
+            "there is no gl_FragCoord, discard or derivative for it, and names of glsl/culling and "
+            "passes/tile_bounds.comp are taken"));
+    }
 }
 
 void AreaLightingState::updateLightTexture(std::size_t polygon, GLuint texture) {
@@ -123,7 +174,8 @@ void AreaLightingState::draw(const LightingFrame& frame) {
 
     camera_.update(gl::bytesOf(camera));
     const QueryBufferKeeper queries(gl_);
-    const ShaderInputKeeper inputs(gl_, drawUnits(hasHostSurface_), kDrawBlocks);
+    const ShaderInputKeeper inputs(gl_, drawUnits(hasHostSurface_, usesLists_),
+                                   drawBlocks(usesLists_));
     if (stage_ == LightingStage::compute) {
         dispatch(frame, program, format);
     } else {
@@ -131,8 +183,7 @@ void AreaLightingState::draw(const LightingFrame& frame) {
     }
 }
 
-void AreaLightingState::bindInputs(const LightingFrame& frame,
-                                   const LightingProgram& program) const {
+void AreaLightingState::bindInputs(const LightingFrame& frame) const {
     resources_.bind();
     const GLuint camera = camera_.name();
     gl_.BindBuffersBase(GL_UNIFORM_BUFFER, shared::kCameraBinding, 1, &camera);
@@ -149,7 +200,16 @@ void AreaLightingState::bindInputs(const LightingFrame& frame,
             gl_.BindSampler(unit, nearest_.name());
         }
     }
-    program.program.use();
+}
+
+void AreaLightingState::makeLists(const LightingFrame& frame, const LightingProgram& program) {
+    if (!usesLists_) return;
+    // What the host has set in the program that it knows holds for its snippet everywhere.
+    if (hasHostSurface_) {
+        snippetUniforms_.copy(gl_, program.program.name(), lists_->boundsProgram());
+    }
+    lists_->make(resources_, frame.size, *lightThreshold_);
+    resources_.bind();
 }
 
 /// The texture, for as long as it is drawn to, in a framebuffer of ours; or the host's framebuffer.
@@ -180,7 +240,7 @@ void AreaLightingState::drawTriangle(const LightingFrame& frame, const LightingP
     const AttachedTarget target(gl_, frame.target, framebuffer_.name());
     checkDrawFramebuffer(gl_, isTexture ? framebuffer_.name() : frame.target.framebuffer,
                          isTexture ? "LightingTarget::texture" : "LightingTarget::framebuffer");
-    bindInputs(frame, program);
+    bindInputs(frame);
     gl_.BindVertexArray(noVertices_.name());
     gl_.ViewportIndexedf(0, 0.0f, 0.0f, static_cast<float>(frame.size.x),
                          static_cast<float>(frame.size.y));
@@ -198,6 +258,8 @@ void AreaLightingState::drawTriangle(const LightingFrame& frame, const LightingP
     // (OpenGL 4.5, 9.3.1).
     gl_.TextureBarrier();
     timestamps_.begin();
+    makeLists(frame, program);
+    program.program.use();
     gl_.DrawArrays(GL_TRIANGLES, 0, 3);
     timestamps_.end();
 }
@@ -206,7 +268,7 @@ void AreaLightingState::dispatch(const LightingFrame& frame, const LightingProgr
                                  GLenum format) {
     constexpr int kGroupSize = 8;  // Of passes/lighting.comp.
     const ImageUnitKeeper image(gl_);
-    bindInputs(frame, program);
+    bindInputs(frame);
     const bool adds = frame.composition == Composition::add;
     gl_.BindImageTexture(0, frame.target.texture, 0, GL_FALSE, 0,
                          adds ? GL_READ_WRITE : GL_WRITE_ONLY, format);
@@ -215,6 +277,8 @@ void AreaLightingState::dispatch(const LightingFrame& frame, const LightingProgr
     // the host does with it.
     gl_.MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     timestamps_.begin();
+    makeLists(frame, program);
+    program.program.use();
     gl_.DispatchCompute(static_cast<GLuint>((frame.size.x + kGroupSize - 1) / kGroupSize),
                         static_cast<GLuint>((frame.size.y + kGroupSize - 1) / kGroupSize), 1);
     timestamps_.end();

@@ -3,11 +3,18 @@
 
 #pragma once
 
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "embed/gl_state_keeper.hpp"
 #include "embed/lighting_programs.hpp"
 #include "embed/own_framebuffer.hpp"
+#include "embed/snippet_uniforms.hpp"
 #include "embed/timestamp_ring.hpp"
 #include "gl/objects.hpp"
+#include "lighting/light_lists.hpp"
 #include "lighting/lighting_resources.hpp"
 #include "polylume/area_lighting.hpp"
 
@@ -29,6 +36,7 @@ class AreaLightingState {
     }
     void updateLightTexture(std::size_t polygon, GLuint texture);
     void setLobes(Lobes lobes) { resources_.setLobes(lobes); }
+    void setLightThreshold(std::optional<float> nits);
     void draw(const LightingFrame& frame);
     GLuint program() const { return programs_.lastName(); }
     std::optional<double> gpuTimeSeconds();
@@ -36,7 +44,13 @@ class AreaLightingState {
   private:
     void drawTriangle(const LightingFrame& frame, const LightingProgram& program);
     void dispatch(const LightingFrame& frame, const LightingProgram& program, GLenum format);
-    void bindInputs(const LightingFrame& frame, const LightingProgram& program) const;
+    void bindInputs(const LightingFrame& frame) const;
+    /// Compiles what makes lists, and the program that lights by `defines`, which has to have them
+    /// or not; draws go by it from then on.
+    void useProgram(const std::vector<std::string>& defines, bool withLists);
+    void prepareLists();
+    /// Lists the lights for what bindInputs() bound, where there are to be lists.
+    void makeLists(const LightingFrame& frame, const LightingProgram& program);
 
     gl::Functions gl_;  ///< First: the others keep references to it.
     LightingStage stage_;
@@ -44,6 +58,10 @@ class AreaLightingState {
     gl::ShaderLibrary library_;
     LightingResources resources_;
     LightingPrograms programs_;
+    std::optional<float> lightThreshold_;
+    std::unique_ptr<LightLists> lists_;  ///< Null before lights that were to be listed.
+    SnippetUniforms snippetUniforms_;
+    bool usesLists_ = false;  ///< From the next draw on.
     gl::Buffer camera_;
     gl::SamplerObject nearest_;
     gl::VertexArray noVertices_;

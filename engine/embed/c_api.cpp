@@ -4,6 +4,7 @@
 #include <exception>
 #include <glm/gtc/type_ptr.hpp>
 #include <new>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -212,6 +213,15 @@ polylume_result polylume_lighting_set_lobes(polylume_lighting* lighting, polylum
     return guarded([&] {
         required(lighting, "lighting");
         lighting->lighting.setLobes(enumValue(polylume::embed::kLobes, lobes, "lobes"));
+    });
+}
+
+polylume_result polylume_lighting_set_light_threshold(polylume_lighting* lighting,
+                                                      const float* nits) {
+    return guarded([&] {
+        required(lighting, "lighting");
+        lighting->lighting.setLightThreshold(nits != nullptr ? std::optional<float>(*nits)
+                                                             : std::nullopt);
     });
 }
 

@@ -13,6 +13,7 @@
 #include "polylume/error.hpp"
 #include "shared/camera_data.h"
 #include "shared/light_data.h"
+#include "shared/light_list_data.h"
 #include "shared/light_texture_data.h"
 
 namespace polylume::embed {
@@ -23,14 +24,16 @@ constexpr GLint kFirstFreeImage = 1;
 static_assert(shared::kStorageBindingCount == kFirstFreeBlock);
 static_assert(shared::kLightingBinding < kFirstFreeBlock);
 
-constexpr std::array kOurUnits = {shared::kLightUnit, shared::kSpecularTableUnit,
+constexpr std::array kOurUnits = {shared::kLightUnit,        shared::kSpecularTableUnit,
                                   shared::kDiffuseTableUnit, shared::kSheenTableUnit,
-                                  shared::kLightImageUnit};
+                                  shared::kLightImageUnit,   shared::kLightListUnit,
+                                  shared::kLightNodeUnit};
 
 // What the lighting itself declares and binds. One that is missing here would be taken for the
 // host's in every program that has it.
-constexpr std::array<std::string_view, 6> kOurUniforms = {
-    "lightTexels", "specularTable", "diffuseTable", "sheenTable", "lightImages", "polylumeTarget"};
+constexpr std::array<std::string_view, 8> kOurUniforms = {
+    "lightTexels", "specularTable",  "diffuseTable", "sheenTable",
+    "lightImages", "polylumeTarget", "lightLists",   "lightNodes"};
 constexpr std::array<std::string_view, 2> kOurUniformBlocks = {"CameraBlock", "LightingBlock"};
 constexpr std::array<std::string_view, 8> kOurStorageBlocks = {
     "ParallelogramBlock", "PolygonBlock", "PolygonVertexBlock", "PunctualBlock",

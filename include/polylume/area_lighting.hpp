@@ -160,15 +160,40 @@ class POLYLUME_API AreaLighting {
     /// `Lobes::all` at first: diffuse and specular reflection and emission.
     void setLobes(Lobes lobes);
 
+    /// Leaves out, in each tile of the picture, lights that hardly count there, so that many lights
+    /// cost far less than one by one, and lights by far groups of others as one: all of that
+    /// together changes no channel of a pixel by more than `nits`. 0: only lights that give nothing
+    /// are left out. Nothing, as at first: all lights are lit by everywhere, which is also done for
+    /// fewer than 32, where the lists of the tiles would cost more than they save.
+    ///
+    /// With lists, draw() begins with two compute shaders, in both stages. They make no objects
+    /// while frames and lists keep to the largest so far, but for one fence at a time on a GPU;
+    /// where one is larger, draw() allocates. The first draw() after lights have changed, also by
+    /// an update, sorts all of them on the CPU, with the heap. A new image for a texture that had
+    /// one by updateLightTexture() before is no such change.
+    ///
+    /// A host's snippet is then run several times for a pixel, and in a compute shader, too, where
+    /// it has to find the same surface: without gl_FragCoord, discard and derivatives, from the
+    /// base level of textures. The names in glsl/culling/ and glsl/passes/tile_bounds.comp are
+    /// taken, too. Its uniforms have the values there that they have in program(). Reflectances of
+    /// its surfaces are not below 0.
+    ///
+    /// Compiles programs where there are none yet. Throws Error for less than 0 or no number, and
+    /// ShaderError where the snippet does not compile, as then does setLights() with enough lights
+    /// for lists. The old threshold stays, or the old lights.
+    void setLightThreshold(std::optional<float> nits);
+
     /// Lights one frame. The first with a new stage, composition or (compute) format of the target
     /// compiles a program; after it a frame allocates nothing, neither on the heap nor of OpenGL,
-    /// however its sizes, cameras, targets and G-buffers change. Throws Error where an input is
-    /// missing, not as documented, or of a format that the stage cannot write.
+    /// however its sizes, cameras, targets and G-buffers change, but for what setLightThreshold()
+    /// says of lists. Throws Error where an input is missing, not as documented, or of a format
+    /// that the stage cannot write.
     void draw(const LightingFrame& frame);
 
     /// The program of the last draw, for glProgramUniform*() on uniforms of the host's snippet; 0
-    /// before the first. Another after setLights() with other kinds of lights, and with a format or
-    /// (compute) composition that it was not compiled for: compare it after each draw().
+    /// before the first. Another after setLights() with other kinds of lights, where lists of
+    /// lights come or go, and with a format or (compute) composition that it was not compiled for:
+    /// compare it after each draw().
     std::uint32_t program() const;
 
     /// What the GPU spent on the latest draw() that it has finished, in seconds, by timestamps;

@@ -209,6 +209,11 @@ POLYLUME_API polylume_result polylume_lighting_update_light_texture(polylume_lig
 /* POLYLUME_LOBES_ALL at first. */
 POLYLUME_API polylume_result polylume_lighting_set_lobes(polylume_lighting* lighting,
                                                          polylume_lobes lobes);
+/* Leaves out, tile by tile of the picture, lights that together add at most *nits to every channel
+ * of a pixel, where there are many; NULL, as at first: all lights count. See
+ * AreaLighting::setLightThreshold() for what it costs and asks of a snippet. */
+POLYLUME_API polylume_result polylume_lighting_set_light_threshold(polylume_lighting* lighting,
+                                                                   const float* nits);
 /* Lights one frame, and leaves OpenGL's state as it was but for the target's pixels. */
 POLYLUME_API polylume_result polylume_lighting_draw(polylume_lighting* lighting,
                                                     const polylume_frame* frame);

@@ -105,6 +105,7 @@ static void checkNullArguments(polylume_lighting* lighting) {
     polylume_light_set set;
     polylume_frame frame;
     uint32_t program = 1;
+    const float less = -1.0f;
     double seconds = 1.0;
     memset(&set, 0, sizeof(set));
     memset(&frame, 0, sizeof(frame));
@@ -118,6 +119,8 @@ static void checkNullArguments(polylume_lighting* lighting) {
     CHECK(refuses(polylume_lighting_update_light_texture(NULL, 0, 0), "\"lighting\""));
     CHECK(refuses(polylume_lighting_set_lobes(NULL, POLYLUME_LOBES_ALL), "\"lighting\""));
     CHECK(refuses(polylume_lighting_set_lobes(lighting, (polylume_lobes)3), "\"lobes\""));
+    CHECK(refuses(polylume_lighting_set_light_threshold(NULL, NULL), "\"lighting\""));
+    CHECK(refuses(polylume_lighting_set_light_threshold(lighting, &less), "found -1"));
     CHECK(refuses(polylume_lighting_draw(NULL, &frame), "\"lighting\""));
     CHECK(refuses(polylume_lighting_draw(lighting, NULL), "\"frame\""));
     CHECK(refuses(polylume_lighting_program(NULL, &program), "\"lighting\"") && program == 0);
@@ -227,6 +230,42 @@ static void checkRadiance(void) {
 
     gl.Finish();
     CHECK(polylume_lighting_gpu_time(lighting, &seconds) == POLYLUME_OK && seconds >= 0.0);
+    polylume_lighting_destroy(lighting);
+}
+
+/* As many lights as lists need, which give as much as one together. */
+static void checkLightThreshold(void) {
+    enum { kCount = 40 };
+    const float nothing = 0.0f, all = 1e6f;
+    int calls = 0, i;
+    GLuint gbuffer[5];
+    GLuint target = makeTarget();
+    polylume_frame frame;
+    polylume_light_set set;
+    polylume_polygon_light polygons[kCount];
+    polylume_lighting* lighting = NULL;
+    CHECK(polylume_lighting_create(find, &calls, NULL, &lighting) == POLYLUME_OK);
+    if (lighting == NULL) return;
+    for (i = 0; i < kCount; ++i) {
+        int channel;
+        polygons[i] = wideRectangle();
+        for (channel = 0; channel < 3; ++channel) polygons[i].radiance[channel] /= kCount;
+    }
+    makeGBuffer(gbuffer);
+    frame = frameOf(target, gbuffer);
+    memset(&set, 0, sizeof(set));
+    set.polygons = polygons;
+    set.polygon_count = kCount;
+    CHECK(polylume_lighting_set_lights(lighting, &set) == POLYLUME_OK);
+    CHECK(polylume_lighting_set_light_threshold(lighting, &nothing) == POLYLUME_OK);
+    CHECK(polylume_lighting_draw(lighting, &frame) == POLYLUME_OK);
+    CHECK(holdsRadiance(target, 1.0f, 1.0f));
+    CHECK(polylume_lighting_set_light_threshold(lighting, &all) == POLYLUME_OK);
+    CHECK(polylume_lighting_draw(lighting, &frame) == POLYLUME_OK);
+    CHECK(holdsRadiance(target, 0.0f, 1.0f));
+    CHECK(polylume_lighting_set_light_threshold(lighting, NULL) == POLYLUME_OK);
+    CHECK(polylume_lighting_draw(lighting, &frame) == POLYLUME_OK);
+    CHECK(holdsRadiance(target, 1.0f, 1.0f));
     polylume_lighting_destroy(lighting);
 }
 
@@ -341,6 +380,7 @@ int main(int argc, char** argv) {
     makeContext();
     checkOptions();
     checkRadiance();
+    checkLightThreshold();
     checkSnippet();
     checkBrokenSnippet();
     checkThreads();

@@ -7,9 +7,7 @@
 
 #include <thread>
 
-#include "embed/lighting_camera.hpp"
 #include "embed_fixture.hpp"
-#include "lighting/lighting_pass.hpp"
 
 namespace polylume {
 namespace {
@@ -20,29 +18,7 @@ using test::makeEveryLight;
 using test::makeTarget;
 using test::readPixels;
 
-class AreaLightingTest : public test::EmbedTest {
-  protected:
-    /// What the engine's own pass makes of the same picture.
-    std::vector<glm::vec4> lightByEngine(const HostPicture& picture, const LightSet& lights,
-                                         const LightingModel& model = {}) {
-        const gl::ShaderLibrary library;
-        LightingPass pass(gl(), library, model);
-        pass.setLights(lights);
-        gl::Texture target = makeTarget(gl(), picture.size(), {-1, -2, -3, -4});
-        const std::array attachments = {
-            gl::Framebuffer::Attachment{GL_COLOR_ATTACHMENT0, &target},
-            gl::Framebuffer::Attachment{GL_DEPTH_ATTACHMENT, &picture.gbuffer().depth()}};
-        const gl::Framebuffer framebuffer(gl(), attachments, "engine");
-        framebuffer.bind();
-        const gl::Buffer camera(gl(),
-                                gl::bytesOf(embed::makeCameraData(test::makeOffCentreCamera(),
-                                                                  embed::DepthUse::needed)),
-                                0, "camera");
-        gl().BindBufferBase(GL_UNIFORM_BUFFER, shared::kCameraBinding, camera.name());
-        pass.draw(picture.gbuffer().textureNames());
-        return readPixels(target);
-    }
-};
+class AreaLightingTest : public test::EmbedTest {};
 
 const LightingModel kModels[] = {
     {},

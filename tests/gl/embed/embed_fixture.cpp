@@ -6,8 +6,11 @@
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <array>
 #include <random>
 
+#include "embed/lighting_camera.hpp"
+#include "lighting/lighting_pass.hpp"
 #include "render/octahedral.hpp"
 
 namespace polylume::test {
@@ -110,6 +113,23 @@ LightSet makeEveryLight(float turn) {
     return lights;
 }
 
+LightSet makeManyLights(float turn) {
+    LightSet lights = makeEveryLight(turn);
+    PolygonLight square = lights.polygons[0];
+    square.radiance = glm::vec3(0.01f);
+    for (int i = 0; i < 25; ++i) {
+        const glm::vec3 corner(0.5f * static_cast<float>(i % 5) - 1.0f,
+                               0.5f * static_cast<float>(i / 5) - 1.0f, -1.0f);
+        square.contours = {{corner, corner + glm::vec3(0.4f, 0, 0),
+                            corner + glm::vec3(0.4f, 0.4f, 0), corner + glm::vec3(0, 0.4f, 0)}};
+        square.contours[0] = turned(square.contours[0], turn);
+        lights.polygons.push_back(square);
+        const glm::vec3 center = turned(corner + glm::vec3(0, 0, 1.5f), turn);
+        lights.spheres.push_back({center, 0.2f, glm::vec3(0.01f), false});
+    }
+    return lights;
+}
+
 gl::Texture makeTarget(const gl::Functions& gl, glm::ivec2 size, const glm::vec4& color,
                        GLenum format) {
     gl::Texture texture(gl, format, size, 1, "host target");
@@ -202,16 +222,41 @@ std::vector<glm::vec4> EmbedTest::light(AreaLighting& lighting, const HostPictur
     return readPixels(target);
 }
 
-float largestDifference(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {
+std::vector<glm::vec4> EmbedTest::lightByEngine(const HostPicture& picture, const LightSet& lights,
+                                                const LightingModel& model,
+                                                std::optional<float> lightThreshold) {
+    const gl::ShaderLibrary library;
+    LightingPass pass(gl(), library, model);
+    pass.setLights(lights);
+    pass.setLightThreshold(lightThreshold);
+    gl::Texture target = makeTarget(gl(), picture.size(), {-1, -2, -3, -4});
+    const std::array attachments = {
+        gl::Framebuffer::Attachment{GL_COLOR_ATTACHMENT0, &target},
+        gl::Framebuffer::Attachment{GL_DEPTH_ATTACHMENT, &picture.gbuffer().depth()}};
+    const gl::Framebuffer framebuffer(gl(), attachments, "engine");
+    framebuffer.bind();
+    const gl::Buffer camera(
+        gl(), gl::bytesOf(embed::makeCameraData(makeOffCentreCamera(), embed::DepthUse::needed)), 0,
+        "camera");
+    gl().BindBufferBase(GL_UNIFORM_BUFFER, shared::kCameraBinding, camera.name());
+    pass.draw(picture.gbuffer().textureNames());
+    return readPixels(target);
+}
+
+float largestError(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {
     float largest = 0.0f;
-    float scale = 0.0f;
     for (std::size_t i = 0; i < a.size(); ++i) {
         const glm::vec4 difference = glm::abs(a[i] - b[i]);
         if (!(difference.x + difference.y + difference.z + difference.w < 1e30f)) return INFINITY;
         largest = std::max({largest, difference.x, difference.y, difference.z, difference.w});
-        scale = std::max({scale, b[i].x, b[i].y, b[i].z});
     }
-    return largest / scale;
+    return largest;
+}
+
+float largestDifference(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {
+    float scale = 0.0f;
+    for (const glm::vec4& pixel : b) scale = std::max({scale, pixel.x, pixel.y, pixel.z});
+    return largestError(a, b) / scale;
 }
 
 }  // namespace polylume::test

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,11 @@ LightingCamera makeOffCentreCamera();
 
 /// A light of every kind; `turn` moves all of them, and none changes its kind.
 LightSet makeEveryLight(float turn = 0.0f);
+
+/// So many, with some of every kind, that they are lit by lists: those of makeEveryLight() first,
+/// then fifty that give less than kLightThreshold together, half of them parallel to each other.
+LightSet makeManyLights(float turn = 0.0f);
+inline constexpr float kLightThreshold = 2.0f;
 
 /// A texture of floats, or of what `format` says.
 gl::Texture makeTarget(const gl::Functions& gl, glm::ivec2 size, const glm::vec4& color,
@@ -58,9 +64,15 @@ class EmbedTest : public GlTest {
     std::vector<glm::vec4> light(AreaLighting& lighting, const HostPicture& picture,
                                  Composition composition = Composition::replace,
                                  GLenum format = GL_RGBA32F);
+    /// What the engine's own pass makes of the same picture.
+    std::vector<glm::vec4> lightByEngine(const HostPicture& picture, const LightSet& lights,
+                                         const LightingModel& model = {},
+                                         std::optional<float> lightThreshold = std::nullopt);
 };
 
 /// The largest difference over the pixels, as a share of the largest value in `b`.
 float largestDifference(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b);
+/// The same in nits.
+float largestError(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b);
 
 }  // namespace polylume::test

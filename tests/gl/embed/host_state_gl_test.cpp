@@ -49,17 +49,25 @@ class HostStateTest : public test::EmbedTest {
         hostGl().BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     }
 
-    void callAll(const AreaLightingOptions& options);
+    void callAll(const AreaLightingOptions& options,
+                 std::optional<float> lightThreshold = std::nullopt);
     void callLightUpdates(AreaLighting& lighting);
+    void expectSamePictureInOddState(AreaLighting& lighting);
     void callFailing(AreaLighting& lighting, const HostPicture& picture);
+
+    /// As many as lists need where there are to be lists.
+    LightSet makeLights(float turn = 0.0f) const {
+        return hasLists_ ? test::makeManyLights(turn) : makeEveryLight(turn);
+    }
+    bool hasLists_ = false;
 
   private:
     std::unique_ptr<Context> own_;
 };
 
 void HostStateTest::callLightUpdates(AreaLighting& lighting) {
-    expectKept("setLights", [&] { lighting.setLights(makeEveryLight()); });
-    const LightSet moved = makeEveryLight(0.2f);
+    expectKept("setLights", [&] { lighting.setLights(makeLights()); });
+    const LightSet moved = makeLights(0.2f);
     expectKept("updatePolygons", [&] { lighting.updatePolygons(0, moved.polygons); });
     expectKept("updateEllipses", [&] { lighting.updateEllipses(0, moved.ellipses); });
     expectKept("updateSpheres", [&] { lighting.updateSpheres(0, moved.spheres); });
@@ -79,14 +87,18 @@ void HostStateTest::callFailing(AreaLighting& lighting, const HostPicture& pictu
     if (GetParam() == Backend::egl) {
         expectKept("draw to no framebuffer", [&] { EXPECT_THROW(lighting.draw(frame), Error); });
     }
-    LightSet bad = makeEveryLight();
+    LightSet bad = makeLights();
     bad.polygons.back().radiance.r = -1.0f;
     expectKept("failing setLights", [&] { EXPECT_THROW(lighting.setLights(bad), Error); });
+    expectKept("failing setLightThreshold",
+               [&] { EXPECT_THROW(lighting.setLightThreshold(-1.0f), Error); });
 }
 
 /// All that a host can do, in the odd state. A failing draw to framebuffer 0 of the fragment stage
 /// leaves through all keepers.
-void HostStateTest::callAll(const AreaLightingOptions& options) {
+void HostStateTest::callAll(const AreaLightingOptions& options,
+                            std::optional<float> lightThreshold) {
+    hasLists_ = lightThreshold.has_value();
     const HostPicture picture(hostGl());
     const glm::vec4 before(-1, -2, -3, -4);
     const gl::Texture replaced = makeTarget(hostGl(), picture.size(), before);
@@ -102,7 +114,10 @@ void HostStateTest::callAll(const AreaLightingOptions& options) {
 
     std::optional<AreaLighting> lighting;
     expectKept("construction", [&] { lighting.emplace(make(options)); });
+    expectKept("setLightThreshold before", [&] { lighting->setLightThreshold(lightThreshold); });
     callLightUpdates(*lighting);
+    expectKept("setLightThreshold", [&] { lighting->setLightThreshold(std::nullopt); });
+    expectKept("setLightThreshold again", [&] { lighting->setLightThreshold(lightThreshold); });
     LightingFrame frame = picture.frame(replaced);
     expectKept("draw, replace", [&] { lighting->draw(frame); });
     frame.target.texture = added.name();
@@ -143,10 +158,21 @@ TEST_P(HostStateTest, everyCallWithASnippetLeavesItAsItWas) {
     callAll({.surfaceGlsl = test::kSameSurfaceGlsl});
 }
 
-TEST_P(HostStateTest, oddStateGivesTheSamePicture) {
+TEST_P(HostStateTest, everyCallWithListsLeavesItAsItWas) {
+    callAll({}, test::kLightThreshold);
+}
+
+TEST_P(HostStateTest, everyCallOfTheComputeStageWithListsLeavesItAsItWas) {
+    callAll({.model = {.diffuse = Diffuse::burley}, .stage = LightingStage::compute},
+            test::kLightThreshold);
+}
+
+TEST_P(HostStateTest, everyCallWithASnippetAndListsLeavesItAsItWas) {
+    callAll({.surfaceGlsl = test::kSameSurfaceGlsl}, test::kLightThreshold);
+}
+
+void HostStateTest::expectSamePictureInOddState(AreaLighting& lighting) {
     const HostPicture picture(hostGl());
-    AreaLighting lighting = make();
-    lighting.setLights(makeEveryLight());
     const gl::Texture plain = makeTarget(hostGl(), picture.size(), glm::vec4(0.0f));
     const gl::Texture odd = makeTarget(hostGl(), picture.size(), glm::vec4(0.0f));
     lighting.draw(picture.frame(plain));
@@ -155,6 +181,19 @@ TEST_P(HostStateTest, oddStateGivesTheSamePicture) {
     lighting.draw(picture.frame(odd));
     endOddReading();
     EXPECT_EQ(readPixels(odd), wanted);
+}
+
+TEST_P(HostStateTest, oddStateGivesTheSamePicture) {
+    AreaLighting lighting = make();
+    lighting.setLights(makeEveryLight());
+    expectSamePictureInOddState(lighting);
+}
+
+TEST_P(HostStateTest, oddStateGivesTheSamePictureByLists) {
+    AreaLighting lighting = make();
+    lighting.setLights(test::makeManyLights());
+    lighting.setLightThreshold(test::kLightThreshold);
+    expectSamePictureInOddState(lighting);
 }
 
 TEST_P(HostStateTest, aLibraryThatForgetsIsFound) {
@@ -176,6 +215,9 @@ TEST_P(HostStateTest, initialStateStaysToo) {
     expectKept("all of it", [&] {
         AreaLighting lighting = make();
         lighting.setLights(makeEveryLight());
+        lighting.draw(picture.frame(target));
+        lighting.setLights(test::makeManyLights());
+        lighting.setLightThreshold(test::kLightThreshold);
         lighting.draw(picture.frame(target));
         lighting.gpuTimeSeconds();
     });

@@ -262,9 +262,16 @@ std::vector<StateChange> stateChanges() {
         {"texture of one target",
          [](Gl gl) { gl.ActiveTexture(GL_TEXTURE10), gl.BindTexture(GL_TEXTURE_3D, 0); }},
         {"textures of a unit", [](Gl gl) { gl.BindTextureUnit(11, 0); }},
+        {"texels of a unit of the lists",
+         [](Gl gl) { gl.ActiveTexture(GL_TEXTURE15), gl.BindTexture(GL_TEXTURE_BUFFER, 0); }},
         {"sampler", [](Gl gl) { gl.BindSampler(9, 0); }},
         {"image unit", [](Gl gl) { gl.BindImageTexture(0, 0, 0, 0, 0, GL_READ_ONLY, GL_R8); }},
         {"uniform buffer", [](Gl gl) { gl.BindBuffersBase(GL_UNIFORM_BUFFER, 3, 1, nullptr); }},
+        {"uniform buffer of the lists",
+         [](Gl gl) {
+             const GLuint buffer = makeBuffer(gl);
+             gl.BindBuffersBase(GL_UNIFORM_BUFFER, 4, 1, &buffer);
+         }},
         {"storage buffer",
          [](Gl gl) { gl.BindBuffersBase(GL_SHADER_STORAGE_BUFFER, 7, 1, nullptr); }},
         {"range of a buffer",

@@ -83,7 +83,7 @@ TEST_P(SnippetTest, bindingsOfTheLightingAreNotFree) {
             << declaration;
     };
     for (const LightingStage stage : {LightingStage::fragment, LightingStage::compute}) {
-        for (const char* unit : {"9", "10", "13"}) {
+        for (const char* unit : {"9", "10", "13", "14", "15"}) {
             refuses(std::string("layout(binding = ") + unit + ") uniform sampler2D host;",
                     "texelFetch(host, pixel, 0).xyz", stage, "host at", "texture units 0 to 8");
         }
@@ -119,6 +119,31 @@ layout(binding = 1, rgba8) readonly uniform image2D image;)";
     for (const LightingStage stage : {LightingStage::fragment, LightingStage::compute}) {
         EXPECT_EQ(messageOf(snippetOf(declarations, value), stage), "no error");
     }
+}
+
+TEST_P(SnippetTest, thatOnlyAFragmentShaderTakesHasNoLists) {
+    const HostPicture picture(gl());
+    const std::string snippet = snippetOf("", "gl_FragCoord.xyz * 0.01");
+    LightSet lights;
+    lights.punctuals.resize(40);
+    const auto isRefused = AllOf(HasSubstr("surfaceGlsl"), HasSubstr("setLightThreshold()"),
+                                 HasSubstr("gl_FragCoord"));
+    AreaLighting lighting = make({.surfaceGlsl = snippet});
+    lighting.setLights(lights);
+    const auto before = light(lighting, picture);
+    EXPECT_THAT(errorOf([&] { lighting.setLightThreshold(1.0f); }), isRefused);
+    EXPECT_THROW(lighting.setLightThreshold(1.0f), ShaderError);
+    EXPECT_EQ(light(lighting, picture), before) << "it goes on without";
+    // Where there were too few lights for lists, more are refused.
+    const LightSet few{.punctuals = {{}}};
+    lighting.setLights(few);
+    const auto withFew = light(lighting, picture);
+    lighting.setLightThreshold(1.0f);
+    EXPECT_THAT(errorOf([&] { lighting.setLights(lights); }), isRefused);
+    EXPECT_EQ(light(lighting, picture), withFew);
+    lighting.setLightThreshold(std::nullopt);
+    lighting.setLights(lights);
+    EXPECT_EQ(light(lighting, picture), before);
 }
 
 TEST_P(SnippetTest, needsNoCamera) {

@@ -159,6 +159,7 @@ class SteadyFrameTest : public test::EmbedTest {
     }
 
     void expectSteady(const AreaLightingOptions& options);
+    void expectSteadyLists(const AreaLightingOptions& options);
 
     std::vector<std::string> uncounted_;
 };
@@ -166,24 +167,30 @@ class SteadyFrameTest : public test::EmbedTest {
 /// What a host does from frame to frame, with inputs made before.
 struct Frames {
     AreaLighting& lighting;
-    std::vector<LightSet> lights;
+    std::vector<LightSet> lights;  ///< None: they stay.
     std::vector<LightingFrame> frames;
     GLuint film;
 
     void run(int count) {
         for (int i = 0; i < count; ++i) {
-            const LightSet& set = lights[static_cast<std::size_t>(i) % lights.size()];
-            lighting.updatePolygons(0, set.polygons);
-            lighting.updatePolygons(2, std::span(set.polygons).subspan(2, 3));
-            lighting.updateEllipses(0, set.ellipses);
-            lighting.updateSpheres(0, set.spheres);
-            lighting.updateTubes(0, set.tubes);
-            lighting.updatePunctuals(0, set.punctuals);
+            update(i);
             lighting.updateLightTexture(i % 2 == 0 ? 1 : 4, film);
             lighting.setLobes(i % 3 == 0 ? Lobes::specular : Lobes::all);
             lighting.draw(frames[static_cast<std::size_t>(i) % frames.size()]);
             lighting.gpuTimeSeconds();
         }
+    }
+
+  private:
+    void update(int i) {
+        if (lights.empty()) return;
+        const LightSet& set = lights[static_cast<std::size_t>(i) % lights.size()];
+        lighting.updatePolygons(0, set.polygons);
+        lighting.updatePolygons(2, std::span(set.polygons).subspan(2, 3));
+        lighting.updateEllipses(0, set.ellipses);
+        lighting.updateSpheres(0, set.spheres);
+        lighting.updateTubes(0, set.tubes);
+        lighting.updatePunctuals(0, set.punctuals);
     }
 };
 
@@ -223,6 +230,67 @@ void SteadyFrameTest::expectSteady(const AreaLightingOptions& options) {
     isCounting = false;
     EXPECT_GT(objectCalls, 0);
     EXPECT_GT(heapCount, 0);
+}
+
+/// Lists make no objects while the sizes stay below the largest, and use the heap for lights that
+/// have changed alone.
+void SteadyFrameTest::expectSteadyLists(const AreaLightingOptions& options) {
+    const HostPicture picture(gl());
+    const HostPicture small(gl(), {24, 16});
+    const HostPicture large(gl(), {70, 50});
+    if (!options.surfaceGlsl.empty()) test::bindForSnippet(gl(), picture);
+    AreaLighting lighting(countingGetProcAddress(), options);
+    lighting.setLightThreshold(test::kLightThreshold);
+    lighting.setLights(test::makeManyLights());
+    const gl::Texture target = test::makeTarget(gl(), large.size(), glm::vec4(0.0f));
+    const gl::Texture film = test::makeTarget(gl(), {32, 16}, glm::vec4(0.5f));
+    Frames frames{lighting, {}, {}, film.name()};
+    for (int i = 0; i < 4; ++i) {
+        LightingFrame frame = (i == 3 ? small : picture).frame(target);
+        frame.composition = i % 3 == 0 ? Composition::add : Composition::replace;
+        frame.camera.worldFromView[3][0] += 0.01 * i;
+        frames.frames.push_back(frame);
+    }
+    frames.run(12);
+    const auto count = [&](int frameCount) {
+        objectCalls = 0;
+        heapCount = 0;
+        isCounting = true;
+        frames.run(frameCount);
+        isCounting = false;
+    };
+    count(50);
+    EXPECT_EQ(objectCalls, 0);
+    EXPECT_EQ(heapCount, 0);
+
+    for (int i = 0; i < 3; ++i) {
+        frames.lights.push_back(test::makeManyLights(0.1f * static_cast<float>(i)));
+    }
+    count(12);
+    EXPECT_EQ(objectCalls, 0);
+    EXPECT_GT(heapCount, 0);
+
+    // More tiles than ever.
+    frames.lights.clear();
+    frames.frames = {large.frame(target)};
+    if (!options.surfaceGlsl.empty()) test::bindForSnippet(gl(), large);
+    count(1);
+    EXPECT_GT(objectCalls, 0);
+    count(2);
+    EXPECT_EQ(objectCalls, 0);
+    EXPECT_EQ(heapCount, 0);
+}
+
+TEST_P(SteadyFrameTest, withListsMakesNoObjects) {
+    expectSteadyLists({});
+}
+
+TEST_P(SteadyFrameTest, ofTheComputeStageWithListsMakesNoObjects) {
+    expectSteadyLists({.stage = LightingStage::compute});
+}
+
+TEST_P(SteadyFrameTest, withASnippetAndListsMakesNoObjects) {
+    expectSteadyLists({.surfaceGlsl = test::kSameSurfaceGlsl});
 }
 
 TEST_P(SteadyFrameTest, ofTheFragmentStageAllocatesNothing) {
