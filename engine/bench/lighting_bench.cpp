@@ -12,6 +12,7 @@
 #include "bench/textbook_pass.hpp"
 #include "core/text.hpp"
 #include "polylume/error.hpp"
+#include "render/renderer.hpp"
 
 namespace polylume::bench {
 namespace {
@@ -238,13 +239,7 @@ BenchResult Measurements::result() const {
 }
 
 void checkOptions(const gl::Functions& gl, const BenchOptions& options) {
-    GLint largest = 0;
-    gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-    const glm::ivec2 size = options.size;
-    if (size.x < 1 || size.y < 1 || size.x > largest || size.y > largest) {
-        throw Error(concat("expected a size from 1x1 to ", largest, "x", largest,
-                           " pixels, the driver's limit; found ", size.x, "x", size.y));
-    }
+    checkPictureSize(gl, options.size);
     if (options.repeatCount < 1) {
         throw Error(concat("expected 1 repeat or more, found ", options.repeatCount));
     }

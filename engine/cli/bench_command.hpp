@@ -17,8 +17,8 @@ struct BenchCommand {
     Backend backend = Backend::automatic;
     bench::BenchOptions options;
     std::optional<float> lightThreshold;  ///< Of scenes.
-    std::filesystem::path json;    ///< Empty: none.
-    std::filesystem::path charts;  ///< Folder for SVG; empty: none.
+    std::filesystem::path json;           ///< Empty: none.
+    std::filesystem::path charts;         ///< Folder for SVG; empty: none.
 };
 
 /// Measures the lighting pass and prints what it found, and writes it as asked. Throws Error.

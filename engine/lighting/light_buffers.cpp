@@ -23,20 +23,22 @@ LightBuffers::Sections LightBuffers::makeSections(
     const PackedLights& packed, const std::vector<shared::LightTextureData>& textures) {
     Sections sections;
     std::uint32_t next = 0;
+    const auto reserve = [&](std::size_t count) {
+        next += static_cast<std::uint32_t>((count + kAlignment - 1) / kAlignment * kAlignment);
+    };
     const auto add = [&](std::uint32_t binding, const auto& data) {
         using Data = typename std::decay_t<decltype(data)>::value_type;
         static_assert(sizeof(Data) % kTexelBytes == 0);
         const auto count = static_cast<std::uint32_t>(data.size() * sizeof(Data) / kTexelBytes);
         // A block that is bound has bytes.
         sections[binding] = {next, std::max(count, 1u)};
-        next += (sections[binding].count + kAlignment - 1) / kAlignment * kAlignment;
+        reserve(sections[binding].count);
     };
     add(shared::kParallelogramBinding, packed.parallelograms);
     // Room for the groups, of which there are less than lights.
     const std::size_t flatCount =
         packed.parallelograms.size() + packed.polygons.size() + packed.ellipses.size();
-    next += (flatCount * sizeof(shared::ParallelogramData) / kTexelBytes + kAlignment - 1) /
-            kAlignment * kAlignment;
+    reserve(flatCount * sizeof(shared::ParallelogramData) / kTexelBytes);
     add(shared::kPolygonBinding, packed.polygons);
     add(shared::kPolygonVertexBinding, packed.polygonVertices);
     add(shared::kPunctualBinding, packed.punctuals);

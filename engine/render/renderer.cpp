@@ -17,19 +17,21 @@ namespace {
 
 void checkOptions(const gl::Functions& gl, const RenderOptions& options) {
     checkAovNames(options.aovs);
-    GLint largest = 0;
-    gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-    const glm::ivec2 size = options.size;
-    if (size.x < 1 || size.y < 1 || size.x > largest || size.y > largest) {
-        throw Error(concat("expected a size from 1x1 to ", largest, "x", largest,
-                           " pixels, the driver's limit; found ", size.x, "x", size.y));
-    }
+    checkPictureSize(gl, options.size);
     if (options.sampleCount < 1) {
         throw Error(concat("expected 1 sample or more, found ", options.sampleCount));
     }
 }
 
 }  // namespace
+
+void checkPictureSize(const gl::Functions& gl, glm::ivec2 size) {
+    GLint largest = 0;
+    gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    if (size.x >= 1 && size.y >= 1 && size.x <= largest && size.y <= largest) return;
+    throw Error(concat("expected a size from 1x1 to ", largest, "x", largest,
+                       " pixels, the driver's limit; found ", size.x, "x", size.y));
+}
 
 RenderedImage renderScene(Context& context, const gl::ShaderLibrary& library,
                           const scene::Scene& scene, const scene::Camera& camera,

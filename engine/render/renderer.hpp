@@ -27,6 +27,9 @@ struct RenderOptions : ViewOptions {
     std::function<float(double logMeanLuminance)> chooseLightThreshold;
 };
 
+/// Throws Error where the driver does not draw pictures of `size` pixels.
+void checkPictureSize(const gl::Functions& gl, glm::ivec2 size);
+
 /// Draws `scene` as `camera` sees it, with `context` current. Throws Error where OpenGL reports
 /// one, where the size is over the driver's limit, or a light is invalid.
 RenderedImage renderScene(Context& context, const gl::ShaderLibrary& library,
