@@ -12,6 +12,7 @@ set(POLYLUME_GLSL_FILES
     culling/box.glsl
     culling/light_bound.glsl
     culling/lobe_bound.glsl
+    culling/strip_bound.glsl
     lighting/area.glsl
     lighting/far.glsl
     lighting/flat.glsl
@@ -42,6 +43,7 @@ set(POLYLUME_GLSL_FILES
     ltc/polygon.glsl
     ltc/seen_parallelogram.glsl
     ltc/seen_polygon.glsl
+    ltc/slender_tube.glsl
     ltc/sphere.glsl
     ltc/triangle.glsl
     ltc/tube.glsl

@@ -127,12 +127,17 @@ SceneResult runSceneBench(Context& context, const scene::Scene& scene, const sce
         result.passes.push_back({name, summarize(passTimes[name])});
     }
     result.peakMemoryBytes = peakMemoryBytes();
-    if (const LightLists* lists = renderer.lighting().lightLists()) {
-        const glm::ivec2 tiles = lists->tileCount();
-        const double threshold = *renderer.lighting().lightThreshold();
-        result.lists = {threshold,
-                        static_cast<double>(lists->listedLightCount()) / (tiles.x * tiles.y),
-                        countLightsAbove(threshold, context, library, scene, camera, options)};
+    const LightLists* lists = renderer.lighting().lightLists();
+    if (const double threshold = renderer.findLightThreshold().value_or(0.0f); threshold > 0.0) {
+        result.lists.emplace();
+        result.lists->threshold = threshold;
+        if (lists != nullptr) {
+            const glm::ivec2 tiles = lists->tileCount();
+            result.lists->lightsPerTile =
+                static_cast<double>(lists->listedLightCount()) / (tiles.x * tiles.y);
+        }
+        result.lists->lightsAboveThreshold =
+            countLightsAbove(threshold, context, library, scene, camera, options);
     }
     return result;
 }

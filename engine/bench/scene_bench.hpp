@@ -27,10 +27,11 @@ struct SceneResult {
     int lightCount = 0;  ///< Area lights.
     Summary lightingSeconds;
     Summary frameSeconds;
-    /// How lights were left out; none where all were lit by.
+    /// How lights count; none without a threshold.
     struct Lists {
-        double threshold = 0.0;      ///< Nits.
-        double lightsPerTile = 0.0;  ///< Lights and groups in a tile's list, mean over all tiles.
+        double threshold = 0.0;  ///< Nits.
+        /// Lights and groups in a tile's list, mean over all tiles; none where all were lit by.
+        std::optional<double> lightsPerTile;
         /// Lights that alone add more than the threshold to a pixel, mean over those that show a
         /// surface; by a small picture of each n-th light.
         double lightsAboveThreshold = 0.0;

@@ -120,12 +120,13 @@ std::string sceneText(const bench::SceneResult& scene) {
         text += fmt::format("      {:<24}{:.2f} ms\n", pass.name, pass.milliseconds.median);
     }
     if (scene.lists) {
-        text += fmt::format(
-            "    {:<26}{:.3g} nits\n    {:<26}{:.1f} and groups, mean\n    {:<26}{:.1f} a pixel, "
-            "mean\n",
-            "light threshold", scene.lists->threshold, "listed for a tile",
-            scene.lists->lightsPerTile, "alone above the threshold",
-            scene.lists->lightsAboveThreshold);
+        text += fmt::format("    {:<26}{:.3g} nits\n", "light threshold", scene.lists->threshold);
+        if (const auto listed = scene.lists->lightsPerTile) {
+            text +=
+                fmt::format("    {:<26}{:.1f} and groups, mean\n", "listed for a tile", *listed);
+        }
+        text += fmt::format("    {:<26}{:.1f} a pixel, mean\n", "alone above the threshold",
+                            scene.lists->lightsAboveThreshold);
     }
     return text + fmt::format("    {:<26}{:.0f} MB\n", "peak memory",
                               1e-6 * static_cast<double>(scene.peakMemoryBytes));
@@ -171,7 +172,8 @@ ordered_json jsonOf(const bench::CaseResult& one) {
 
 ordered_json jsonOf(const bench::SceneResult::Lists& lists) {
     return {{"thresholdNits", lists.threshold},
-            {"lightsPerTile", lists.lightsPerTile},
+            {"lightsPerTile",
+             lists.lightsPerTile ? ordered_json(*lists.lightsPerTile) : ordered_json(nullptr)},
             {"lightsAboveThreshold", lists.lightsAboveThreshold}};
 }
 

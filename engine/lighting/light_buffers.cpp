@@ -35,10 +35,10 @@ LightBuffers::Sections LightBuffers::makeSections(
         reserve(sections[binding].count);
     };
     add(shared::kParallelogramBinding, packed.parallelograms);
-    // Room for the groups, of which there are less than lights.
-    const std::size_t flatCount =
-        packed.parallelograms.size() + packed.polygons.size() + packed.ellipses.size();
-    reserve(flatCount * sizeof(shared::ParallelogramData) / kTexelBytes);
+    // Room for the groups: less than flat lights, and one for each that is no parallelogram.
+    const std::size_t otherCount = packed.polygons.size() + packed.ellipses.size();
+    const std::size_t groupCount = packed.parallelograms.size() + 2 * otherCount;
+    reserve(groupCount * sizeof(shared::ParallelogramData) / kTexelBytes);
     add(shared::kPolygonBinding, packed.polygons);
     add(shared::kPolygonVertexBinding, packed.polygonVertices);
     add(shared::kPunctualBinding, packed.punctuals);

@@ -57,6 +57,7 @@ LightLists::LightLists(const gl::Functions& gl, const gl::ShaderLibrary& library
       knownEnd_(gl, gl::bytesOf(std::uint32_t{}), GL_DYNAMIC_STORAGE_BIT,
                 "earlier end of the light lists") {
     gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &mostWords_);
+    turnLocation_ = gl.GetUniformLocation(lists_.name(), "polylumeTurn");
 }
 
 void LightLists::prepare(const LightingResources& resources) {
@@ -150,7 +151,16 @@ void LightLists::list(glm::ivec2 size, float threshold) {
     gl_.BindTextureUnit(shared::kTileUnit, tileTexels_.name());
     gl_.BindSampler(shared::kTileUnit, 0);
     lists_.use();
-    gl_.DispatchCompute(groupCount(tileCount_.x), groupCount(tileCount_.y), 1);
+    // It goes through tubes twice.
+    const std::size_t tubeNodes =
+        tree_.nodeEnds[shared::kTubeList] - tree_.nodeEnds[shared::kTubeList - 1];
+    const std::size_t visits = shared::kMostRounds * (tree_.nodes.size() + tubeNodes);
+    const auto turnCount = static_cast<int>(visits / shared::kMostVisits + 1);
+    for (int turn = 0; turn < turnCount; ++turn) {
+        gl_.ProgramUniform1i(lists_.name(), turnLocation_, turn);
+        gl_.DispatchCompute(groupCount(tileCount_.x), groupCount(tileCount_.y), 1);
+        gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    }
     gl_.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 

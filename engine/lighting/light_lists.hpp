@@ -75,6 +75,7 @@ class LightLists {
     gl::Program bounds_;
     gl::Program lists_;
     GLint sizeLocation_ = -1;
+    GLint turnLocation_ = -1;
 
     LightTree tree_;
     std::uint64_t treeRevision_ = 0;  ///< Of the resources' lights; 0: none yet.

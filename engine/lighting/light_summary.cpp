@@ -110,8 +110,11 @@ LightSummary summarize(const SphereLight& light) {
 
 LightSummary summarize(const TubeLight& light) {
     const glm::dvec3 start(light.start), end(light.end);
-    return summarizeSolid(0.5 * (start + end), 0.5 * glm::distance(start, end), light.radius,
-                          light.radiance);
+    LightSummary summary = summarizeSolid(0.5 * (start + end), 0.5 * glm::distance(start, end),
+                                          light.radius, light.radiance);
+    summary.axis = end - start;
+    summary.tubeRadius = light.radius;
+    return summary;
 }
 
 LightSummary summarize(const PunctualLight& light) {

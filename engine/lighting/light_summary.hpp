@@ -32,6 +32,8 @@ struct LightSummary {
     /// disk's second moments, and what the disk's place before the center makes, for each m^2 of
     /// its area.
     double secondMoment = 0.0;
+    glm::dvec3 axis{0.0};     ///< Of a tube, from its start to its end,
+    double tubeRadius = 0.0;  ///< and its radius.
     /// Of an even flat light: sums over them equal integrals over its area for polynomials up to
     /// the third degree. Of a ball: its center. Else empty.
     std::vector<AreaSample> samples;

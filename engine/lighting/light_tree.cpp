@@ -34,7 +34,7 @@ std::uint32_t listOf(LightKind kind) {
         case LightKind::sphere:
             return shared::kSphereList;
         case LightKind::tube:
-            return shared::kTubeList;
+            return shared::kTubeList;  // Of which strips are chosen.
         case LightKind::punctual:
             return shared::kPunctualList;
         case LightKind::parallelogram:
@@ -144,7 +144,9 @@ class TreeBuilder {
         std::optional<LightSpread> spread;
         std::optional<LightGroup> group;
         if (lights.size() <= kMostInGroup && isOneKey) spread = spreadOf(lights);
-        if (spread && lights.size() > 1) group = groupLights(lights, *spread);
+        const bool isParallelogram = lights.front().place.kind == LightKind::parallelogram;
+        if (spread && !(lights.size() == 1 && isParallelogram))
+            group = groupLights(lights, *spread);
         const glm::dvec3 center = spread ? spread->center : centerOf(lights);
         double radius = group ? group->radius : 0.0;
         double offPlane = 0.0;
@@ -171,14 +173,23 @@ class TreeBuilder {
             const auto& m = spread->moments;
             data.far = glm::vec4(m[0], m[1], m[2], spread->fourthMoment);
         }
+        const LightSummary& first = lights.front();
         if (lights.size() == 1) {
-            setEntry(lights.front().place.slot, shared::kLightEntry, data);
-        } else if (group) {
+            setEntry(first.place.slot, shared::kLightEntry, data);
+            data.moments = glm::vec4(first.axis, first.tubeRadius);
+        }
+        if (group) {
+            const std::uint32_t parallelogram =
+                firstGroup_ + static_cast<std::uint32_t>(tree_.groups.size());
             const auto& d = group->differences;
             data.moments = glm::vec4(d[0], d[1], d[2], d[3]);
             data.group.x = static_cast<float>(group->fourthMoment);
-            setEntry(firstGroup_ + static_cast<std::uint32_t>(tree_.groups.size()),
-                     shared::kGroupEntry, data);
+            if (lights.size() == 1) {
+                setEntry(first.place.slot, shared::kLightOrGroupEntry, data);
+                data.radiance.w = std::bit_cast<float>(parallelogram);
+            } else {
+                setEntry(parallelogram, shared::kGroupEntry, data);
+            }
             tree_.groups.push_back(group->parallelogram);
         }
         tree_.nodes[index] = data;

@@ -107,10 +107,15 @@ double FrameRenderer::logMeanAtASmallSize() {
     return logMean;
 }
 
+std::optional<float> FrameRenderer::findLightThreshold() {
+    if (options_.lightThreshold || !options_.chooseLightThreshold) return options_.lightThreshold;
+    return options_.chooseLightThreshold(logMeanAtASmallSize());
+}
+
 void FrameRenderer::chooseLightThreshold() {
     if (options_.lightThreshold || !options_.chooseLightThreshold) return;
     if (!LightLists::areWorthwhile(lighting_->packedLights().places)) return;
-    setLightThreshold(options_.chooseLightThreshold(logMeanAtASmallSize()));
+    setLightThreshold(findLightThreshold());
 }
 
 void FrameRenderer::setModel(const LightingModel& model) {

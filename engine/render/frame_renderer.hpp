@@ -34,7 +34,10 @@ class FrameRenderer {
     void setLobes(Lobes lobes);
     /// As LightingPass has it.
     void setLightThreshold(std::optional<float> nits);
-    /// Takes the one that RenderOptions::chooseLightThreshold gives, if it counts; draws for that.
+    /// The stated threshold, or the one that RenderOptions::chooseLightThreshold gives, which draws
+    /// a small picture; none where all lights count.
+    std::optional<float> findLightThreshold();
+    /// Takes that one, if there are enough lights for it to matter.
     void chooseLightThreshold();
     /// Whether it has sheen follows the scene. Throws ShaderError, and leaves the old one.
     void setModel(const LightingModel& model);

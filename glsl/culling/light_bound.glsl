@@ -22,6 +22,11 @@ const float kTaylorRest = 5.0;
 const float kUnbounded = 1e29;  // Less than LightSummary::kUnbounded, which float rounds.
 const float kInversePi = 0.318309886;
 
+bool isSingleLight(LightNodeData node) {
+    uint kind = floatBitsToUint(node.group.z);
+    return kind == kLightEntry || kind == kLightOrGroupEntry;
+}
+
 /// How a tile sees a light or a group.
 struct LightView {
     vec3 offset;     ///< From the tile's center to that of the lights.
@@ -49,7 +54,7 @@ LightView lightView(TileData tile, LightNodeData node) {
     if (dot(node.normal.xyz, node.normal.xyz) > 0.0) {
         height = -dot(node.normal.xyz, view.offset);
         // Lights of one node are not quite parallel.
-        bool isOne = floatBitsToUint(node.group.z) == kLightEntry;
+        bool isOne = isSingleLight(node);
         float turn = isOne ? slack : kParallelTolerance * (view.distance + view.reach);
         float range = dot(abs(node.normal.xyz), tile.halfSize.xyz) + node.normal.w + turn;
         bool isTurned = node.flux.w > 0.0 && height < 0.0;
@@ -68,6 +73,7 @@ struct LightBound {
     float most;   ///< Largest radiance that the lights add to a channel of a pixel, in nits,
     float group;  ///< the largest difference to it that the group makes,
     float far;    ///< and the largest that a point in their place makes.
+    bool isWhole;  ///< All surfaces and all specular lobes have all of the lights above their horizons.
 };
 
 /// Of all |v| >= `distance`, with heights of at most `above` and `before`.
@@ -89,7 +95,7 @@ float largestDifference(vec4 moments, float rest, float most, float distance) {
 float largestOfChannels(vec3 v) { return max(v.r, max(v.g, v.b)); }
 
 LightBound lightBound(TileData tile, LightNodeData node) {
-    LightBound bound = LightBound(0.0, 0.0, 0.0);
+    LightBound bound = LightBound(0.0, 0.0, 0.0, false);
     LightView view = lightView(tile, node);
     float distance = view.distance - view.reach;
     if (view.above <= 0.0 || view.before <= 0.0 || distance > node.group.w) return bound;
@@ -115,6 +121,8 @@ LightBound lightBound(TileData tile, LightNodeData node) {
     float most = tile.rowHigh[1].w;
     float lobeDistance = max(length(max(max(low, -high), 0.0)), least * distance);
     vec3 specular = node.flux.rgb * largestKernel(lobeDistance, high.z, view.before);
+
+    bound.isWhole = view.least > 0.0 && low.z > 0.0;
 
     // Lights cover no more than all directions; a point or a group in their place may seem to.
     vec3 limit = node.radiance.rgb;

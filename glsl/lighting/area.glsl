@@ -88,6 +88,11 @@ void addAreaLights(Surface surface, SurfaceLobes lobes, inout Reflection reflect
     POLYLUME_FOR_LIGHTS(tubeRange(), i, addLight(tubeFactors(i, position, lobes), tubeLight(i).radiance.rgb, sum))
 #endif
 #ifdef POLYLUME_LIGHT_LISTS
+    POLYLUME_FOR_LIGHTS(wholeRange(), i,
+                        addLight(wholeFactors(i, position, scaled), parallelogramLight(i).radiance.rgb, sum))
+#ifdef POLYLUME_TUBE_LIGHTS
+    POLYLUME_FOR_LIGHTS(stripRange(), i, addLight(stripFactors(i, position, scaled), tubeLight(i).radiance.rgb, sum))
+#endif
     POLYLUME_FOR_LIGHTS(farRange(), i, addFarLight(farLight(i, position, lobes.frameFromWorld), lobes, sum))
 #endif
     reflection.diffuse += lobes.diffuseAlbedo * sum.diffuse;

@@ -5,6 +5,10 @@
 #include "lighting/lobes.glsl"
 #include "lighting/read_lights.glsl"
 #include "ltc/parallelogram.glsl"
+#ifdef POLYLUME_LIGHT_LISTS
+#include "ltc/parallelogram_above.glsl"
+#include "ltc/slender_tube.glsl"
+#endif
 // Includes are resolved before conditions are: what both sides need comes first.
 #if defined(POLYLUME_POLYGON_LIGHTS) || defined(POLYLUME_TEXTURED_POLYGON_LIGHTS)
 #include "ltc/polygon.glsl"
@@ -46,6 +50,46 @@ float parallelogramLobeFactor(uint index, vec3 positionWorld, mat3 frameFromWorl
     LtcParallelogram outline = clippedParallelogram(index, positionWorld, frameFromWorld, side);
     return side * ltcLobeFactor(outline, lobe);
 }
+
+#ifdef POLYLUME_LIGHT_LISTS
+/// parallelogramFactors() of one that the surface and the specular lobes have above their horizons. The other lobes' are
+/// not known.
+vec2 wholeFactors(uint index, vec3 positionWorld, SurfaceLobes surface) {
+    ParallelogramData light = parallelogramLight(index);
+    vec3 corner = light.corner.xyz - positionWorld;
+    float side = lightSide(-dot(light.normal.xyz, corner), largestOf(corner), light.corner.w);
+    mat3 frame = surface.frameFromWorld;
+    LtcParallelogramShape shape =
+        ltcParallelogramShape(frame * corner, frame * light.edgeX.xyz, frame * light.edgeY.xyz);
+    float factors[kLobeCount];
+    for (int k = 0; k < kLobeCount; ++k) {
+        factors[k] = k < kSpecularLobeCount ? ltcWholeLobeFactor(shape, surface.lobes[k])
+                                            : ltcAboveLobeFactor(shape, surface.lobes[k]);
+    }
+    return side * sumFactors(ltcWholeCosineFactor(shape), factors);
+}
+#endif
+
+#if defined(POLYLUME_TUBE_LIGHTS) && defined(POLYLUME_LIGHT_LISTS)
+/// Tube light `index`, which is slender, as the point sees it.
+LtcParallelogram clippedStrip(uint index, vec3 positionWorld, mat3 frameFromWorld) {
+    TubeData light = tubeLight(index);
+    LtcStrip strip = ltcSlenderTube(light.start.xyz - positionWorld, light.axis.xyz, light.start.w);
+    return ltcClipParallelogram(frameFromWorld * strip.corner, frameFromWorld * strip.along,
+                                frameFromWorld * strip.across);
+}
+
+vec2 stripFactors(uint index, vec3 positionWorld, SurfaceLobes surface) {
+    LtcParallelogram outline = clippedStrip(index, positionWorld, surface.frameFromWorld);
+    float factors[kLobeCount];
+    for (int k = 0; k < kLobeCount; ++k) factors[k] = ltcLobeFactor(outline, surface.lobes[k]);
+    return sumFactors(ltcCosineFactor(outline), factors);
+}
+
+float stripLobeFactor(uint index, vec3 positionWorld, mat3 frameFromWorld, LtcLobe lobe) {
+    return ltcLobeFactor(clippedStrip(index, positionWorld, frameFromWorld), lobe);
+}
+#endif
 
 #ifdef POLYLUME_TRIANGLE_LIGHTS
 /// Polygon light `index`, which has three vertices, as clippedParallelogram().

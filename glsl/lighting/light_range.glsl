@@ -63,7 +63,11 @@ LightRange ellipseRange() {
 LightRange everyEllipseRange() { return lightRange(kDiskList, kEllipseList, 0u, lighting.roundLightCount.x); }
 LightRange sphereRange() { return lightRange(kSphereList, kSphereList, 0u, lighting.roundLightCount.y); }
 LightRange tubeRange() { return lightRange(kTubeList, kTubeList, 0u, lighting.roundLightCount.z); }
+/// Tubes, to be lit by as strips; without a list none are.
+LightRange stripRange() { return lightRange(kStripList, kStripList, 0u, 0u); }
 LightRange punctualRange() { return lightRange(kPunctualList, kPunctualList, 0u, lighting.lightCount.z); }
+/// Parallelograms; without a list none is known to be whole.
+LightRange wholeRange() { return lightRange(kWholeList, kWholeList, 0u, 0u); }
 /// Nodes; without a list every light is near.
 LightRange farRange() { return lightRange(kFarList, kFarList, 0u, 0u); }
 

@@ -80,6 +80,13 @@ void addSheen(Surface surface, mat3 frameFromWorld, inout Reflection reflection,
                             addLobe(tubeLobeFactor(i, position, frameFromWorld, lobe), tubeLight(i).radiance.rgb, sum))
 #endif
 #ifdef POLYLUME_LIGHT_LISTS
+        POLYLUME_FOR_LIGHTS(wholeRange(), i,
+                            addLobe(parallelogramLobeFactor(i, position, scaledFrame, lobe), parallelogramLight(i).radiance.rgb,
+                                    sum))
+#ifdef POLYLUME_TUBE_LIGHTS
+        POLYLUME_FOR_LIGHTS(stripRange(), i,
+                            addLobe(stripLobeFactor(i, position, scaledFrame, lobe), tubeLight(i).radiance.rgb, sum))
+#endif
         POLYLUME_FOR_LIGHTS(farRange(), i, addFarLobe(farLight(i, position, frameFromWorld), lobe, sum))
 #endif
     }

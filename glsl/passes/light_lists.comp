@@ -2,17 +2,21 @@
 // SPDX-License-Identifier: MIT
 
 #include "culling/light_bound.glsl"
+#include "culling/strip_bound.glsl"
 #include "shared/light_list_data.h"
 
 // Lists the lights of each tile: an invocation per tile. Lights lie in trees, one for each kind; a tile's list is a cut
 // through them (Walter et al. 2005). A node is left out, or a point or a group takes the place of the lights below it,
 // where that changes no pixel by more than a limit. Of the limits below each tile takes the largest for which all
 // changes together stay within the threshold.
+//
+// It takes turns, each a dispatch that goes on where the last one ended: llvmpipe leaves all loops of an invocation after
+// 65,535 iterations in all.
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(std140, binding = kLightListBinding) uniform LightListBlock { LightListData lightList; };
-layout(std430, binding = kListBinding) writeonly buffer ListBlock { uint listWords[]; };
+layout(std430, binding = kListBinding) buffer ListBlock { uint listWords[]; };
 layout(std430, binding = kListEndBinding) buffer ListEndBlock { uint listEnd; };
 layout(binding = kTileUnit) uniform samplerBuffer tileTexels;
 layout(binding = kLightNodeUnit) uniform usamplerBuffer lightNodes;
@@ -20,6 +24,15 @@ layout(binding = kLightNodeUnit) uniform usamplerBuffer lightNodes;
 // Shares of the threshold; with the last one nothing but lights that give nothing are left out.
 const int kLimitCount = 7;
 const float kLimitShares[kLimitCount] = float[](0.05, 0.025, 0.012, 0.006, 0.002, 0.0005, 0.0);
+
+const uint kNoNode = 0xffffffffu;
+
+uniform int polylumeTurn;
+
+uint nodeEnd(uint kind) { return lightList.nodeEnds[kind / 4u][kind % 4u]; }
+
+/// How far the shaders' arcs are from a tube's share of a lobe at worst, as a part of it; a strip's edges are not.
+const float kTubeRounding = 3e-4;
 
 vec4 nodeValues(uint node, int i) { return uintBitsToFloat(texelFetch(lightNodes, int(node * kLightNodeTexels) + i)); }
 
@@ -37,10 +50,101 @@ TileData readTile(uint part) {
                     tileValues(part, 10), tileValues(part, 11), tileValues(part, 12));
 }
 
+/// Where a round through a tile's trees is.
+struct Walk {
+    float limit;    ///< What a change may make at most,
+    float changed;  ///< and what all have made so far.
+    uint node;
+    uint front;  ///< Next words: from the front, for far lights and those of kWholeList from the middle, for other
+    uint far;    ///< parallelograms from the back.
+    uint whole;
+    uint back;
+    bool writes;
+    uint visits;  ///< Of nodes, in this turn.
+};
+
+/// Goes on up to `lastNode`, through the nodes of one kind, but for no more than kMostVisits nodes in a turn. Tubes take two turns, the first one lists those that are no
+/// strips, the second one all others, and counts the changes; `mayBeStrips` in both.
+void walkNodes(const bool mayBeStrips, uint kind, uint lastNode, uint firstPart, uint endPart, inout Walk walk) {
+    while (walk.node < lastNode && walk.visits < kMostVisits && walk.changed <= lightList.threshold.x) {
+        ++walk.visits;
+        LightNodeData data = readNode(walk.node);
+        LightBound bound = LightBound(0.0, 0.0, 0.0, true);
+        float strip = 0.0;
+        uint part = firstPart;
+        do {
+            TileData tile = readTile(part);
+            LightBound partBound = lightBound(tile, data);
+            bound.most = max(bound.most, partBound.most);
+            bound.group = max(bound.group, partBound.group);
+            bound.far = max(bound.far, partBound.far);
+            bound.isWhole = bound.isWhole && partBound.isWhole;
+            if (mayBeStrips) strip = max(strip, stripDifference(tile, data) + kTubeRounding * partBound.most);
+        } while (++part < endPart);
+        uint entryKind = floatBitsToUint(data.group.z);
+        bool isLeaf = entryKind == kLightEntry || entryKind == kLightOrGroupEntry;
+        bool hasGroup = entryKind == kGroupEntry || entryKind == kLightOrGroupEntry;
+        bool isLeftOut = bound.most <= walk.limit;
+        bool isFar = !isLeftOut && bound.far <= walk.limit;
+        bool isGroup = !isLeftOut && !isFar && hasGroup && bound.group <= walk.limit;
+        bool isDone = isLeftOut || isFar || isGroup;
+        bool isLight = !isDone && isLeaf;
+        bool isStrip = mayBeStrips && isLight && strip <= walk.limit;
+        float change = isLeftOut ? bound.most : isFar ? bound.far : isGroup ? bound.group : isStrip ? strip : 0.0;
+        bool isFirstTurn = mayBeStrips && kind == kTubeList;
+        bool isSecondTurn = mayBeStrips && kind == kStripList;
+        walk.changed += isFirstTurn ? 0.0 : change;
+        // A group is a parallelogram, whatever stands in its place.
+        bool isParallelogram = isGroup || isLight && kind == kParallelogramList;
+        bool isWhole = isParallelogram && bound.isWhole && lightList.threshold.x > 0.0;
+        bool isBack = isParallelogram && !isWhole;
+        bool isFront = isLight && !isParallelogram && !(isFirstTurn && isStrip) && !(isSecondTurn && !isStrip);
+        isFar = isFar && !isFirstTurn;
+        walk.back -= isBack ? 1u : 0u;
+        if (walk.writes && (isFront || isFar || isParallelogram)) {
+            uint light = floatBitsToUint(isGroup && isLeaf ? data.radiance.w : data.group.y);
+            uint word = isFront ? walk.front : isFar ? walk.far : isWhole ? walk.whole : walk.back;
+            listWords[word] = isFar ? walk.node : light;
+        }
+        walk.front += isFront ? 1u : 0u;
+        walk.far += isFar ? 1u : 0u;
+        walk.whole += isWhole ? 1u : 0u;
+        walk.node = isDone && !isLeaf ? floatBitsToUint(data.radiance.w) : walk.node + 1u;
+    }
+}
+
+void saveWalk(uint head, Walk walk, uint kind, uint limitIndex) {
+    uint state = head + kListSectionWords;
+    listWords[state] = floatBitsToUint(walk.changed);
+    listWords[state + 1u] = walk.node;
+    listWords[state + 2u] = walk.front;
+    listWords[state + 3u] = walk.far;
+    listWords[state + 4u] = walk.whole;
+    listWords[state + 5u] = walk.back;
+    listWords[state + 6u] = walk.writes ? 1u : 0u;
+    listWords[state + 7u] = kind;
+    listWords[state + 8u] = limitIndex;
+}
+
+Walk loadWalk(uint head, out uint kind, out uint limitIndex) {
+    uint state = head + kListSectionWords;
+    kind = listWords[state + 7u];
+    limitIndex = listWords[state + 8u];
+    return Walk(0.0, uintBitsToFloat(listWords[state]), listWords[state + 1u], listWords[state + 2u],
+                listWords[state + 3u], listWords[state + 4u], listWords[state + 5u], listWords[state + 6u] != 0u, 0u);
+}
+
 void main() {
     uvec2 place = gl_GlobalInvocationID.xy;
     if (any(greaterThanEqual(place, lightList.tileCount.xy))) return;
     uint tileIndex = place.y * lightList.tileCount.x + place.x;
+    uint head = tileIndex * kListHeaderSize;
+    uint kind = 0u;
+    uint limitIndex = 0u;
+    Walk walk = Walk(0.0, 0.0, 0u, 0u, 0u, 0u, 0u, false, 0u);
+    if (polylumeTurn > 0) walk = loadWalk(head, kind, limitIndex);
+    if (limitIndex == kNoNode) return;
+
     uint firstPart = tileIndex * kTileParts;
     uint endPart = firstPart;
     for (uint part = 0u; part < kTileParts; ++part) endPart += tileValues(firstPart + part, 0).w >= 0.0 ? 1u : 0u;
@@ -48,70 +152,46 @@ void main() {
     float threshold = lightList.threshold.x;
 
     // Rounds without writing find the limit and how many words the list needs; the last one writes it.
-    uint head = tileIndex * kListHeaderSize;
-    int limitIndex = 0;
-    bool writes = false;
     bool isOver = false;
-    // Words are written from the front, for far lights from the middle, for parallelograms from the back.
-    uint firstFront = 0u;
-    uint firstFar = 0u;
-    uint firstBack = 0u;
     do {
-        float limit = threshold * kLimitShares[limitIndex];
-        float changed = 0.0;
-        uint front = firstFront;
-        uint far = firstFar;
-        uint back = firstBack;
-        uint node = 0u;
-        for (uint kind = 0u; kind < kListKindCount; ++kind) {
-            uint lastNode = hasSurface ? lightList.nodeEnds[kind / 4u][kind % 4u] : 0u;
-            while (node < lastNode) {
-                LightNodeData data = readNode(node);
-                LightBound bound = LightBound(0.0, 0.0, 0.0);
-                uint part = firstPart;
-                do {
-                    LightBound partBound = lightBound(readTile(part), data);
-                    bound.most = max(bound.most, partBound.most);
-                    bound.group = max(bound.group, partBound.group);
-                    bound.far = max(bound.far, partBound.far);
-                } while (++part < endPart);
-                uint entryKind = floatBitsToUint(data.group.z);
-                bool isLeftOut = bound.most <= limit;
-                bool isFar = !isLeftOut && bound.far <= limit;
-                bool isGroup = !isLeftOut && !isFar && entryKind == kGroupEntry && bound.group <= limit;
-                bool isLight = !isLeftOut && !isFar && entryKind == kLightEntry;
-                changed += isLeftOut ? bound.most : isFar ? bound.far : isGroup ? bound.group : 0.0;
-                // A group is a parallelogram, whatever stands in its place.
-                bool isBack = isGroup || isLight && kind == kParallelogramList;
-                bool isFront = isLight && !isBack;
-                back -= isBack ? 1u : 0u;
-                if (writes && (isFront || isFar || isBack)) {
-                    listWords[isFront ? front : isFar ? far : back] = isFar ? node : floatBitsToUint(data.group.y);
-                }
-                front += isFront ? 1u : 0u;
-                far += isFar ? 1u : 0u;
-                bool isDone = isLeftOut || isFar || isGroup || isLight;
-                node = isDone ? floatBitsToUint(data.radiance.w) : node + 1u;
-                // Too much: on with the next limit.
-                node = changed > threshold ? 0xffffffffu : node;
-            }
-            if (writes && kind < kFarList) listWords[head + 1u + kind] = front;
-        }
-        if (writes) {
-            listWords[head + 1u + kFarList] = far;
-            isOver = true;
-        } else if (changed > threshold) {
-            ++limitIndex;
+        walk.limit = threshold * kLimitShares[limitIndex];
+        uint lastNode = hasSurface ? nodeEnd(kind) : 0u;
+        if (kind == kTubeList || kind == kStripList) {
+            walkNodes(true, kind, lastNode, firstPart, endPart, walk);
         } else {
-            uint count = front + far - back;
-            firstFront = atomicAdd(listEnd, count);
-            firstFar = firstFront + front;
-            firstBack = firstFront + count;
-            writes = true;
-            bool fits = firstBack <= lightList.tileCount.z;
-            listWords[head] = fits ? firstFront : kEveryLight;
-            listWords[head + 1u + kParallelogramList] = firstBack;
-            isOver = !fits;
+            walkNodes(false, kind, lastNode, firstPart, endPart, walk);
         }
-    } while (!isOver);
+        bool isTooMuch = walk.changed > threshold;
+        bool isKindDone = isTooMuch || walk.node >= lastNode;
+        if (isKindDone) {
+            if (walk.writes && kind < kFarList) listWords[head + 1u + kind] = walk.front;
+            ++kind;
+            // Once more through the tubes.
+            if (kind == kStripList) walk.node = nodeEnd(kTubeList - 1u);
+        }
+        bool isRoundDone = isTooMuch || kind == kListKindCount;
+        if (isRoundDone && walk.writes) {
+            listWords[head + 1u + kFarList] = walk.far;
+            listWords[head + 1u + kWholeList] = walk.whole;
+            isOver = true;
+        } else if (isRoundDone) {
+            uvec4 first = uvec4(0u);
+            if (isTooMuch) {
+                ++limitIndex;
+            } else {
+                uint count = walk.front + walk.far + walk.whole - walk.back;
+                first.x = atomicAdd(listEnd, count);
+                first.y = first.x + walk.front;
+                first.z = first.y + walk.far;
+                first.w = first.x + count;
+                bool fits = first.w <= lightList.tileCount.z;
+                listWords[head] = fits ? first.x : kEveryLight;
+                listWords[head + 1u + kParallelogramList] = first.w;
+                isOver = !fits;
+            }
+            walk = Walk(0.0, 0.0, 0u, first.x, first.y, first.z, first.w, !isTooMuch, walk.visits);
+            kind = 0u;
+        }
+    } while (!isOver && walk.visits < kMostVisits);
+    saveWalk(head, walk, kind, isOver ? kNoNode : limitIndex);
 }

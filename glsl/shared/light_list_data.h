@@ -13,8 +13,9 @@ namespace polylume::shared {
 const uint kTileSize = 16;    // Pixels of a tile's side.
 const uint kTileParts = 4;    // A tile's surfaces are bounded in so many parts, each of like normals and roughness.
 
-// A tile's list has a section for each kind of light, in this order. A group of lights is listed as a parallelogram; what
-// is far enough to be lit by as a point is listed by its node.
+// A tile's list has a section for each kind of light, in this order. A group of lights is listed as a parallelogram, as is
+// a light of another outline where that makes no difference; a tube that is slender enough to be lit by as a strip has a
+// section of its own, as have parallelograms that no horizon of the tile clips, and what is far enough to be lit by as a point is listed by its node.
 const uint kTriangleList = 0;
 const uint kPolygonList = 1;
 const uint kTexturedParallelogramList = 2;
@@ -23,13 +24,21 @@ const uint kDiskList = 4;
 const uint kEllipseList = 5;
 const uint kSphereList = 6;
 const uint kTubeList = 7;
-const uint kPunctualList = 8;
-const uint kFarList = 9;
-const uint kParallelogramList = 10;
-const uint kListKindCount = 11;
+const uint kStripList = 8;
+const uint kPunctualList = 9;
+const uint kFarList = 10;
+const uint kWholeList = 11;
+const uint kParallelogramList = 12;
+const uint kListKindCount = 13;
 
-/// Words at the head of the lists, for each tile: first word of its list, then the ends of its sections.
-const uint kListHeaderSize = 12;
+/// Words at the head of the lists, for each tile: first word of its list, the ends of its sections, and then what
+/// passes/light_lists.comp keeps from turn to turn.
+const uint kListSectionWords = 14;
+const uint kListHeaderSize = 23;
+/// Nodes that it visits in a turn, at most 5 iterations each; 8 tiles that go on together may all go in different ways.
+const uint kMostVisits = 1600;
+/// Its rounds through all nodes at most: one for each limit, and one that writes.
+const uint kMostRounds = 8;
 /// In place of the first word: there was no room, all lights count.
 const uint kEveryLight = 0xffffffffu;
 
@@ -37,6 +46,7 @@ const uint kEveryLight = 0xffffffffu;
 const uint kNoEntry = 0;
 const uint kLightEntry = 1;
 const uint kGroupEntry = 2;
+const uint kLightOrGroupEntry = 3;  // A light, for which a parallelogram may stand.
 /// The largest difference of the unit normals of lights below a node that count as parallel.
 const float kParallelTolerance = 4e-4f;
 
@@ -55,7 +65,7 @@ const uint kLightNodeUnit = 15;
 
 struct LightListData {
     uvec4 tileCount;     ///< Across and up; z: words of all lists with their heads; w unused.
-    uvec4 nodeEnds[3];   ///< Of the nodes of each kind, in the order of the sections.
+    uvec4 nodeEnds[4];   ///< Of the nodes of each kind, in the order of the sections.
     vec4 threshold;      ///< Nits; yzw unused.
 };
 
@@ -78,11 +88,13 @@ struct LightNodeData {
     vec4 center;    ///< w: radius of a sphere that holds them and their group.
     vec4 normal;    ///< Unit normal that they have in common, or 0; w: how far they lie off the plane through the center.
     vec4 flux;      ///< Radiance times area, summed; w: 1 where both sides emit.
-    vec4 radiance;  ///< Summed; w: as a float's bits: index of the first node that is not below this one.
-    vec4 moments;   ///< How far those of the group, to the third order, are from the lights': a norm of each.
+    vec4 radiance;  ///< Summed; w: as a float's bits: index of the first node that is not below this one; of a
+                    ///< kLightOrGroupEntry, which has none below: the group's index.
+    vec4 moments;   ///< How far those of the group, to the third order, are from the lights': a norm of each. Of a single
+                    ///< tube: from its start to its end; w: its radius.
     vec4 far;       ///< Moments of the lights about the center, of the first three orders and at most of the fourth.
-    vec4 group;     ///< x: of the fourth order, the sum of both; as a float's bits: y: the light's index or that of the
-                    ///< group among the parallelograms, z: kLightEntry and so on; w: a punctual light's range.
+    vec4 group;     ///< x: of the fourth order, the sum of both; as a float's bits: y: the light's index or that of a
+                    ///< node's group among the parallelograms, z: kLightEntry and so on; w: a punctual light's range.
 };
 
 #ifdef __cplusplus

@@ -4,7 +4,7 @@
 """A street at night in a district of 600 m, wet from rain, under 16 to 10,000 lights of every shape: lit windows,
 shops, neon, screens, street lamps, cars, lanterns. `city.py --lights N --seed S -o FILE.glb`; nothing but Python's
 standard library, and the bytes are the same on every machine. With more lights the street stays as it is: those of
-fewer lights are among them, and the next ones are further away."""
+fewer lights are among them, and the next ones shine somewhere in the district."""
 
 import argparse
 import pathlib

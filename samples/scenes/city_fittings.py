@@ -31,7 +31,7 @@ class Fittings:
         """All that a facade near the camera has; `balconies` are the places of their floors' middles, (x, y)."""
         kept = self._signs(facade)
         self._shops(facade, LIGHT_DEPTH, 0.92)
-        self._rooms(facade, kept, 0.74)
+        self._rooms(facade, kept, 0.95, self._dice.pick(WARM))
         self._lines(facade)
         color = self._dice.pick(NEON)
         for x, y in balconies:
@@ -41,13 +41,14 @@ class Fittings:
     def add_plain(self, facade, share):
         """Windows and shops before a painted wall, and a line of neon here and there; `share` of the windows is lit."""
         self._shops(facade, -0.03, min(0.75, 1.6 * share))
+        house_color = self._dice.pick(WARM)
         for storey in range(facade.building.storeys):
             for bay in range(facade.bays):
                 if not self._dice.chance(share):
                     continue
                 # As the painted windows are.
                 foot = GROUND_FLOOR + storey * STOREY
-                self._room(facade.frame, ((bay + 0.5) * BAY, foot + 1.65, 0.03), (1.35, 1.9))
+                self._room(facade.frame, ((bay + 0.5) * BAY, foot + 1.65, 0.03), (1.35, 1.9), house_color)
         if self._dice.chance(share):
             self._line(facade, facade.building.height - 0.8, 0.1)
 
@@ -82,16 +83,17 @@ class Fittings:
         self._lights.rect("screen", end, (0.0, 24.0, 0.7), (12.4, 8.4), BLANK, NITS["screen"],
                           picture=self._pictures.pixels)
 
-    def _room(self, frame, place, size):
-        """A lit window, a third of them with a blind drawn down some of the way."""
+    def _room(self, frame, place, size, house_color):
+        """A lit window, a third of them with a blind drawn down some of the way. Most are as warm as the house's."""
         dice, (x, y, z), (width, height) = self._dice, place, size
         if dice.chance(0.33):
             drawn = height * dice.between(0.2, 0.6)
             y, height = y - drawn / 2, height - drawn
         nits = dice.pick(NITS["window"])
-        self._lights.rect("window", frame, (x, y, z), (round(width, 2), round(height, 2)), room_color(dice), nits)
+        color = house_color if dice.chance(0.85) else room_color(dice)
+        self._lights.rect("window", frame, (x, y, z), (round(width, 2), round(height, 2)), color, nits)
 
-    def _rooms(self, facade, kept, share):
+    def _rooms(self, facade, kept, share, house_color):
         style = facade.building.style
         width, height, foot = WINDOWS[style]
         for storey in range(facade.building.storeys):
@@ -101,7 +103,7 @@ class Fittings:
                 if (storey, bay) in kept or not self._dice.chance(here):
                     continue
                 y = GROUND_FLOOR + storey * STOREY + foot + height / 2
-                self._room(facade.frame, ((bay + 0.5) * BAY, y, -LIGHT_DEPTH), (width, height))
+                self._room(facade.frame, ((bay + 0.5) * BAY, y, -LIGHT_DEPTH), (width, height), house_color)
 
     def _shops(self, facade, depth, share):
         if not self._dice.chance(share):

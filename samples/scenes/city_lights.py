@@ -12,7 +12,10 @@ FOCUS = (0.0, 3.0, -10.0)   # What is near to it comes first,
 STREET_HALF = 9.2           # what is in the camera's street before what is beyond its houses.
 DETOUR = 45.0
 STREET_SHARE = 0.6          # Distance along that street counts as this much of it.
-LATER = {"balcony line": 150.0, "neon frame": 120.0}  # Many and alike: metres that they count as farther away.
+# Many and alike, or dear: metres that they count as farther away.
+LATER = {"balcony line": 250.0, "neon frame": 250.0, "bollard": 200.0, "lantern": 150.0, "letter": 100.0,
+         "neon line": 60.0, "wall washer": 60.0, "pictured shop window": 40.0}
+NEAR = 255                  # So many are the nearest ones; the next ones come from the whole district.
 DOWN = turn((1.0, 0.0, 0.0), -90.0)
 
 # cd/m^2, of windows those to choose from. The surfaces around have some 6.
@@ -117,8 +120,13 @@ class Lights:
         self._add(kind, "tube", place, "POLYLUME_lights_area", light, rotation, weight)
 
     def in_order(self, first):
-        """All lights, those nearest to the places of `first` ((kind, place), ...) before the others."""
-        rest = sorted(self._all, key=lambda light: light.rank)
+        """All lights, those nearest to the places of `first` ((kind, place), ...) before the others, then the other near
+        ones, then by chance those of the district, most of them windows and far away."""
+        def far_rank(light):
+            return self._dice.between(0.0, 1.0 if light.shape == "rectangle" else 2.0) / light.rank ** 3
+
+        ranked = sorted(self._all, key=lambda light: light.rank)
+        rest = ranked[:NEAR] + sorted(ranked[NEAR:], key=far_rank)
         chosen = []
         for kind, place in first:
             best = min((light for light in rest if light.kind == kind),

@@ -185,7 +185,11 @@ BoundCase BoundCases::makeCase(std::size_t tile, const std::vector<SurfacePixel>
     const bool twoSided = pick(0, 2) == 0;
     const glm::vec3 x = tangentOf(normal);
     const glm::vec3 y = glm::cross(normal, x);
-    const float ratio = pick(0, 1) == 0 ? 1.0f : uniform(0.05f, 1);
+    // Tubes are slender, too.
+    const bool isSlender = shape == 5 && pick(0, 2) > 0;
+    const float ratio = isSlender         ? logUniform(1e-4f, 0.05f)
+                        : pick(0, 1) == 0 ? 1.0f
+                                          : uniform(0.05f, 1);
     const glm::vec3 radiance(uniform(1, 10), uniform(1, 10), uniform(1, 10));
     if (shape < 7) {
         addShape(shape, center, size * x, size * ratio * y, radiance, twoSided, made.lights);
@@ -210,9 +214,11 @@ BoundCase BoundCases::makeCase(std::size_t tile, const std::vector<SurfacePixel>
                                        std::vector<float>(made.lights.polygons.size(), 1.0f)),
                        0);
     made.node = tree.nodes.front();
-    if (std::bit_cast<std::uint32_t>(made.node.group.z) == shared::kGroupEntry) {
-        const shared::ParallelogramData& data =
-            tree.groups[std::bit_cast<std::uint32_t>(made.node.group.y)];
+    const std::uint32_t kind = std::bit_cast<std::uint32_t>(made.node.group.z);
+    if (kind == shared::kGroupEntry || kind == shared::kLightOrGroupEntry) {
+        const float group =
+            kind == shared::kLightOrGroupEntry ? made.node.radiance.w : made.node.group.y;
+        const shared::ParallelogramData& data = tree.groups[std::bit_cast<std::uint32_t>(group)];
         PolygonLight light;
         const glm::vec3 corner(data.corner), edgeX(data.edgeX), edgeY(data.edgeY);
         light.contours = {{corner, corner + edgeX, corner + edgeX + edgeY, corner + edgeY}};

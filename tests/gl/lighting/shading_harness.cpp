@@ -160,6 +160,33 @@ glm::dvec3 reflectInDouble(const SurfacePixel& pixel, const TubeLight& light,
     return reflectLight(pixel, light, model);
 }
 
+glm::dvec3 reflectStripInDouble(const SurfacePixel& pixel, const TubeLight& light,
+                                const LightingModel& model) {
+    const auto shadeStrip = [&](const SurfacePixel& at, const ltc::Table& table) {
+        const PixelFrame frame(at);
+        const glm::dvec3 start = frame.place(light.start);
+        const glm::dvec3 axis = frame.toLocal(light.end - light.start);
+        const double radius = light.radius;
+        const double length = glm::length(axis);
+        const glm::dvec3 along = axis / length;
+        const double first = glm::dot(start, along);
+        const glm::dvec3 foot = start - first * along;
+        const double distance = glm::length(foot);
+        const double share = std::numbers::pi / 4.0 * radius / distance;
+        const double before = share * (std::hypot(distance, first) - 1.5 * share * first);
+        const double last = first + length;
+        const double after = share * (std::hypot(distance, last) + 1.5 * share * last);
+        // As wide as the planes that touch the tube are apart there.
+        const double halfWidth = distance * std::tan(std::asin(radius / distance));
+        const glm::dvec3 across = halfWidth * glm::cross(along, foot / distance);
+        const glm::dvec3 low = start - before * along, high = start + (length + after) * along;
+        const std::vector<ltc::Contour> contours = {
+            {low - across, high - across, high + across, low + across}};
+        return shade(at, frame, std::span<const ltc::Contour>(contours), false, table);
+    };
+    return glm::dvec3(light.radiance) * reflect(pixel, model, shadeStrip);
+}
+
 glm::dvec3 reflectFarInDouble(const SurfacePixel& pixel, const shared::LightNodeData& node,
                               const LightingModel& model) {
     const auto shadeFar = [&](const SurfacePixel& at, const ltc::Table& table) {

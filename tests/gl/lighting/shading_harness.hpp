@@ -155,6 +155,10 @@ glm::dvec3 reflectInDouble(const SurfacePixel& pixel, const SphereLight& light,
 glm::dvec3 reflectInDouble(const SurfacePixel& pixel, const TubeLight& light,
                            const LightingModel& model);
 
+/// The same of a tube that is lit by as by a strip (ltc/slender_tube.glsl).
+glm::dvec3 reflectStripInDouble(const SurfacePixel& pixel, const TubeLight& light,
+                                const LightingModel& model);
+
 /// What it reflects of lights that count as a point (lighting/far.glsl).
 glm::dvec3 reflectFarInDouble(const SurfacePixel& pixel, const shared::LightNodeData& node,
                               const LightingModel& model);

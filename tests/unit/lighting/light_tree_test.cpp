@@ -153,10 +153,16 @@ class TreeCheck {
     }
 
     std::uint32_t skipOf(std::uint32_t node) const {
+        // A leaf for which a group may stand has that in its place.
+        if (kindOf(node) == shared::kLightOrGroupEntry) return node + 1;
         return std::bit_cast<std::uint32_t>(tree_.nodes[node].radiance.w);
     }
 
   private:
+    std::uint32_t kindOf(std::uint32_t node) const {
+        return std::bit_cast<std::uint32_t>(tree_.nodes[node].group.z);
+    }
+
     void check(bool holds, std::uint32_t node, const char* what) {
         if (holds) return;
         if (errors_++ == 0) message_ = "node " + std::to_string(node) + ": " + what;
@@ -168,10 +174,10 @@ class TreeCheck {
             return {};
         }
         const shared::LightNodeData& data = tree_.nodes[node];
-        const std::uint32_t kind = std::bit_cast<std::uint32_t>(data.group.z);
+        const std::uint32_t kind = kindOf(node);
         const std::uint32_t index = std::bit_cast<std::uint32_t>(data.group.y);
         std::vector<Entry> below;
-        if (kind == shared::kLightEntry) {
+        if (kind == shared::kLightEntry || kind == shared::kLightOrGroupEntry) {
             check(skipOf(node) == node + 1, node, "skip of a leaf");
             check(extents_.contains({list, index}), node, "no such light");
             if (!extents_.contains({list, index})) return {};
@@ -192,6 +198,10 @@ class TreeCheck {
         }
         checkBounds(node, below);
         if (kind == shared::kGroupEntry) checkGroup(node, index);
+        if (kind == shared::kLightOrGroupEntry) {
+            check(list != shared::kParallelogramList, node, "a group for a parallelogram");
+            checkGroup(node, std::bit_cast<std::uint32_t>(data.radiance.w));
+        }
         return below;
     }
 
@@ -230,7 +240,9 @@ class TreeCheck {
             check(std::isfinite(data.center[i]) && std::isfinite(data.flux[i]) &&
                       std::isfinite(data.far[i]) && std::isfinite(data.moments[i]),
                   node, "finite");
-            check(data.far[i] >= 0.0f && data.moments[i] >= 0.0f, node, "moments");
+            // A tube has its axis there.
+            const bool isMoment = below.size() > 1 || below[0].first != shared::kTubeList;
+            check(data.far[i] >= 0.0f && (data.moments[i] >= 0.0f || !isMoment), node, "moments");
         }
     }
 
