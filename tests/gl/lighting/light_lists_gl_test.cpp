@@ -270,6 +270,22 @@ TEST_P(LightListsTest, hugeThresholdsHold) {
     }
 }
 
+TEST_P(LightListsTest, thousandsOfLightsTakeTurns) {
+    LightingPass lighting(gl(), library(), {});
+    const LightSet lights = LightMaker(7, false).lights(4000, false);
+    ShadingHarness harness(gl(), kSize, false);
+    harness.setPoints(BoundCases(7).makePoints(kSize, false));
+    lighting.setLights(lights);
+    const Picture exact = shade(lighting, harness, std::nullopt);
+    for (const float threshold : {0.0f, 0.1f, 10.0f}) {
+        const Picture listed = shade(lighting, harness, threshold);
+        ASSERT_NE(lighting.lightLists(), nullptr);
+        const std::size_t visits = shared::kMostRounds * lighting.lightLists()->tree().nodes.size();
+        EXPECT_GT(visits, 4 * shared::kMostVisits);
+        EXPECT_LE(largestExcess(exact, listed, threshold), 0.0) << threshold;
+    }
+}
+
 TEST_P(LightListsTest, longListsFindRoom) {
     // All lights before all points: no list is shorter than their number, but there is room for
     // 128 at first.
