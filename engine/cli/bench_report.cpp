@@ -172,12 +172,18 @@ ordered_json jsonOf(const bench::CaseResult& one) {
 
 ordered_json jsonOf(const bench::SceneResult::Lists& lists) {
     return {{"thresholdNits", lists.threshold},
-            {"lightsPerTile",
-             lists.lightsPerTile ? ordered_json(*lists.lightsPerTile) : ordered_json(nullptr)},
+            {"lightsPerTile", *lists.lightsPerTile},
+            {"lightsAboveThreshold", lists.lightsAboveThreshold}};
+}
+
+/// The same where all lights are lit by.
+ordered_json thresholdJson(const bench::SceneResult::Lists& lists) {
+    return {{"thresholdNits", lists.threshold},
             {"lightsAboveThreshold", lists.lightsAboveThreshold}};
 }
 
 ordered_json jsonOf(const bench::SceneResult& scene) {
+    const bool hasLists = scene.lists && scene.lists->lightsPerTile;
     ordered_json passes = ordered_json::object();
     for (const bench::PassResult& pass : scene.passes) {
         passes[pass.name] = jsonOf(pass.milliseconds);
@@ -187,7 +193,8 @@ ordered_json jsonOf(const bench::SceneResult& scene) {
             {"lightingSeconds", jsonOf(scene.lightingSeconds)},
             {"frameSeconds", jsonOf(scene.frameSeconds)},
             {"passMilliseconds", passes},
-            {"lists", scene.lists ? jsonOf(*scene.lists) : ordered_json(nullptr)},
+            {"lists", hasLists ? jsonOf(*scene.lists) : ordered_json(nullptr)},
+            {"threshold", scene.lists ? thresholdJson(*scene.lists) : ordered_json(nullptr)},
             {"peakMemoryBytes", scene.peakMemoryBytes}};
 }
 
