@@ -10,7 +10,9 @@ set(POLYLUME_GLSL_FILES
     brdf/ggx.glsl
     brdf/oren_nayar.glsl
     culling/box.glsl
+    culling/kernel_bound.glsl
     culling/light_bound.glsl
+    culling/light_view.glsl
     culling/lobe_bound.glsl
     culling/strip_bound.glsl
     lighting/area.glsl

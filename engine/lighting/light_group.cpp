@@ -95,9 +95,8 @@ std::array<glm::dvec3, 2> edgesOf(std::span<const LightSummary> lights, const gl
     return {length * along, width * glm::cross(normal, along)};
 }
 
-}  // namespace
-
-std::optional<LightSpread> spreadOf(std::span<const LightSummary> lights) {
+/// Of their flux; nothing where there is none.
+std::optional<glm::dvec3> centerOf(std::span<const LightSummary> lights) {
     const glm::dvec3 origin = lights.front().center;
     glm::dvec3 sum(0.0);
     double total = 0.0;
@@ -105,44 +104,33 @@ std::optional<LightSpread> spreadOf(std::span<const LightSummary> lights) {
         sum += weight * (position - origin);
         total += weight;
     });
-    const auto isEmpty = [](const LightSummary& light) { return light.samples.empty(); };
-    if (std::ranges::any_of(lights, isEmpty) || !(total > 0.0)) return std::nullopt;
-
-    LightSpread spread;
-    spread.center = glm::dvec3(glm::vec3(sum / total + origin));
-    Moments moments;
-    addLights(lights, spread.center, moments);
-    const std::array<double, 4> norms = normsOf(moments);
-    std::copy(norms.begin() + 1, norms.end(), spread.moments.begin());
-    for (const LightSummary& light : lights) {
-        const double flux = light.area * largestOf(light.radiance);
-        const double reach = glm::distance(light.center, spread.center) + light.radius;
-        spread.radius = std::max(spread.radius, reach);
-        spread.moments[1] += flux * light.secondMoment;
-        spread.fourthMoment += flux * std::pow(reach, 4.0);
-    }
-    return spread;
+    if (!(total > 0.0)) return std::nullopt;
+    return glm::dvec3(glm::vec3(sum / total + origin));
 }
 
-std::optional<LightGroup> groupLights(std::span<const LightSummary> lights,
-                                      const LightSpread& spread) {
-    const auto isFlat = [](const LightSummary& light) { return light.normal != glm::dvec3(0.0); };
-    if (!std::ranges::all_of(lights, isFlat)) return std::nullopt;
+}  // namespace
+
+std::optional<LightGroup> groupLights(std::span<const LightSummary> lights) {
+    const auto isEmpty = [](const LightSummary& light) { return light.samples.empty(); };
+    if (std::ranges::any_of(lights, isEmpty)) return std::nullopt;
+    const std::optional<glm::dvec3> center = centerOf(lights);
+    if (!center) return std::nullopt;
     glm::dvec3 flux(0.0), normal(0.0);
     for (const LightSummary& light : lights) {
         for (const AreaSample& sample : light.samples) flux += sample.area * light.radiance;
         normal += light.area * sumOf(light.radiance) * light.normal;
     }
     normal = glm::normalize(normal);
-    const auto [edgeX, edgeY] = edgesOf(lights, spread.center, normal);
+    const auto [edgeX, edgeY] = edgesOf(lights, *center, normal);
     const double area = glm::length(edgeX) * glm::length(edgeY);
     if (!(area > 0.0)) return std::nullopt;
 
     // As float has them: what rounding leaves out counts as a difference, too.
-    const glm::vec3 corner(spread.center - 0.5 * (edgeX + edgeY));
+    const glm::vec3 corner(*center - 0.5 * (edgeX + edgeY));
     const glm::vec3 x(edgeX), y(edgeY);
     const glm::vec3 radiance(flux / area);
     LightGroup group;
+    group.center = *center;
     group.parallelogram.corner = glm::vec4(corner, lights.front().twoSided ? 1.0f : 0.0f);
     group.parallelogram.edgeX = glm::vec4(x, 0.0f);
     group.parallelogram.edgeY = glm::vec4(y, 0.0f);
@@ -150,14 +138,14 @@ std::optional<LightGroup> groupLights(std::span<const LightSummary> lights,
     group.parallelogram.radiance = glm::vec4(radiance, 0.0f);
 
     Moments moments;
-    addLights(lights, spread.center, moments);
+    addLights(lights, *center, moments);
     // Gauss's two points in each direction are exact for the rectangle.
     const double low = 0.5 - 0.5 / std::sqrt(3.0);
     const double floatArea = glm::length(glm::cross(glm::dvec3(x), glm::dvec3(y)));
     for (const double u : {low, 1.0 - low}) {
         for (const double v : {low, 1.0 - low}) {
             const glm::dvec3 position = glm::dvec3(corner) + u * glm::dvec3(x) + v * glm::dvec3(y);
-            moments.add(position - spread.center, -0.25 * floatArea * glm::dvec3(radiance));
+            moments.add(position - *center, -0.25 * floatArea * glm::dvec3(radiance));
         }
     }
     group.differences = normsOf(moments);
@@ -166,7 +154,11 @@ std::optional<LightGroup> groupLights(std::span<const LightSummary> lights,
             light.area * largestOf(light.radiance) * glm::distance(light.normal, normal);
     }
     group.radius = 0.5 * glm::length(edgeX + edgeY);
-    group.fourthMoment = spread.fourthMoment + largestOf(flux) * std::pow(group.radius, 4.0);
+    group.fourthMoment = largestOf(flux) * std::pow(group.radius, 4.0);
+    for (const LightSummary& light : lights) {
+        const double reach = glm::distance(light.center, *center) + light.radius;
+        group.fourthMoment += light.area * largestOf(light.radiance) * std::pow(reach, 4.0);
+    }
     return group;
 }
 

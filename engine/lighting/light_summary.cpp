@@ -99,12 +99,7 @@ LightSummary summarizeSolid(const glm::dvec3& center, double halfLength, double 
 LightSummary summarize(const SphereLight& light) {
     LightSummary summary =
         summarizeSolid(glm::dvec3(light.center), 0.0, light.radius, light.radiance);
-    summary.samples.push_back({summary.center, summary.area});
-    // A disk that subtends the same cone, at (1 - s^2) of the distance with s the sine of the half
-    // angle, has R^2 / 4 along two axes, and gives s^2 / (1 - s^2) more than pi R^2 at the center,
-    // which kTaylor's term of the second order covers by R^2 / 4.1232.
-    constexpr double kDisk = std::numbers::sqrt2 / 4.0;
-    summary.secondMoment = (kDisk + 0.2426) * summary.radius * summary.radius;
+    summary.tubeRadius = light.radius;
     return summary;
 }
 

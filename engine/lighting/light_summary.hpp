@@ -28,14 +28,10 @@ struct LightSummary {
     double area = 0.0;         ///< Of what a far point sees, at most.
     glm::dvec3 radiance{0.0};  ///< Largest of any point, nits; kUnbounded where it is not known.
     double range = 1e30;       ///< It gives nothing to points that are farther away.
-    /// Of a ball, which counts as the disk that is seen of it, by its radius: the norm of the
-    /// disk's second moments, and what the disk's place before the center makes, for each m^2 of
-    /// its area.
-    double secondMoment = 0.0;
-    glm::dvec3 axis{0.0};     ///< Of a tube, from its start to its end,
-    double tubeRadius = 0.0;  ///< and its radius.
+    glm::dvec3 axis{0.0};      ///< Of a tube, from its start to its end,
+    double tubeRadius = 0.0;   ///< and its radius; a ball is a tube without length.
     /// Of an even flat light: sums over them equal integrals over its area for polynomials up to
-    /// the third degree. Of a ball: its center. Else empty.
+    /// the third degree. Else empty.
     std::vector<AreaSample> samples;
 
     static constexpr double kUnbounded = 1e30;

@@ -141,13 +141,13 @@ class TreeBuilder {
             range = std::max(range, light.range);
         }
         const bool isOneKey = groupKey(lights.front()) == groupKey(lights.back());
-        std::optional<LightSpread> spread;
+        const bool isParallelogram =
+            lights.size() == 1 && lights.front().place.kind == LightKind::parallelogram;
         std::optional<LightGroup> group;
-        if (lights.size() <= kMostInGroup && isOneKey) spread = spreadOf(lights);
-        const bool isParallelogram = lights.front().place.kind == LightKind::parallelogram;
-        if (spread && !(lights.size() == 1 && isParallelogram))
-            group = groupLights(lights, *spread);
-        const glm::dvec3 center = spread ? spread->center : centerOf(lights);
+        if (lights.size() <= kMostInGroup && isOneKey && !isParallelogram) {
+            group = groupLights(lights);
+        }
+        const glm::dvec3 center = group ? group->center : centerOf(lights);
         double radius = group ? group->radius : 0.0;
         double offPlane = 0.0;
         const bool isFlat = isOneKey && lights.front().normal != glm::dvec3(0.0);
@@ -168,14 +168,11 @@ class TreeBuilder {
             glm::vec4(glm::min(radiance, LightSummary::kUnbounded),
                       std::bit_cast<float>(static_cast<std::uint32_t>(tree_.nodes.size())));
         data.group.w = static_cast<float>(range);
-        data.far = glm::vec4(LightSummary::kUnbounded);
-        if (spread) {
-            const auto& m = spread->moments;
-            data.far = glm::vec4(m[0], m[1], m[2], spread->fourthMoment);
-        }
         const LightSummary& first = lights.front();
         if (lights.size() == 1) {
-            setEntry(first.place.slot, shared::kLightEntry, data);
+            const bool isSolid = first.tubeRadius > 0.0;
+            setEntry(first.place.slot, isSolid ? shared::kLightOrPointEntry : shared::kLightEntry,
+                     data);
             data.moments = glm::vec4(first.axis, first.tubeRadius);
         }
         if (group) {

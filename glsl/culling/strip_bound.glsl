@@ -12,7 +12,8 @@
 // most (k + 1) (k + 2) / 2 |M^-1 (difference of directions)|^k / (pi |v|^(k + 3)).
 
 const float kLeastDistance = 10.0;
-const float kCapReach = 1.5;  // Radii: more than what both reach, with what the curvature of directions adds.
+/// How far the shaders' arcs are from a tube's share of a lobe at worst, as a part of it; a strip's edges are not.
+const float kTubeRounding = 3e-4;
 
 /// The largest error that an end makes; `offset`: from the tile's center to it.
 float capDifference(TileData tile, vec3 radiance, vec3 offset, float radius, float lineDistance) {
@@ -54,8 +55,14 @@ float capDifference(TileData tile, vec3 radiance, vec3 offset, float radius, flo
     return min(kInversePi * solidAngle * largestOfChannels(sum), 1e30);
 }
 
-/// The largest difference to the radiance of a pixel that a strip makes in place of a tube, in nits.
-float stripDifference(TileData tile, LightNodeData node) {
+/// The largest differences to the radiance of a pixel, in nits.
+struct StripBound {
+    float strip;  ///< That a strip makes in place of a tube,
+    float point;  ///< and what a point makes beside the difference that lightBound() has of it.
+};
+
+/// `most`: lightBound()'s.
+StripBound stripBound(TileData tile, LightNodeData node, float most) {
     vec3 axis = node.moments.xyz;
     float radius = node.moments.w;
     vec3 offset = node.center.xyz - tile.center.xyz;
@@ -63,7 +70,11 @@ float stripDifference(TileData tile, LightNodeData node) {
     vec3 across = offset - dot(offset, axis) * inverseLength * inverseLength * axis;
     float lineDistance = length(across) - tile.center.w - 1e-5 * (length(offset) + tile.center.w);
     // Half a ball has no side.
-    if (lineDistance < kLeastDistance * radius || dot(axis, axis) < radius * radius) return 1e30;
-    return capDifference(tile, node.radiance.rgb, offset - 0.5 * axis, radius, lineDistance) +
-           capDifference(tile, node.radiance.rgb, offset + 0.5 * axis, radius, lineDistance);
+    if (lineDistance < kLeastDistance * radius || dot(axis, axis) < radius * radius) return StripBound(1e30, 1e30);
+    float strip = capDifference(tile, node.radiance.rgb, offset - 0.5 * axis, radius, lineDistance) +
+                  capDifference(tile, node.radiance.rgb, offset + 0.5 * axis, radius, lineDistance) +
+                  kTubeRounding * most;
+    // The side seems wider than it is by 0.51 (radius / D)^2 at most.
+    float share = radius / lineDistance;
+    return StripBound(strip, strip + 0.51 * share * share * most);
 }

@@ -5,8 +5,8 @@
 #include "shared/light_list_data.h"
 
 #ifdef POLYLUME_LIGHT_LISTS
-// Lights, and groups of lights, that are so far away, or so small, that a point in their middle stands for them within the
-// threshold (culling/light_bound.glsl).
+// Balls and tubes that are so far away, or so small, that a point in their middle stands for them within the threshold
+// (culling/light_bound.glsl).
 
 layout(binding = kLightNodeUnit) uniform usamplerBuffer lightNodes;
 
@@ -19,18 +19,16 @@ struct FarLight {
 FarLight farLight(uint node, vec3 positionWorld, mat3 frameFromWorld) {
     int texel = int(node * kLightNodeTexels);
     vec3 offset = uintBitsToFloat(texelFetch(lightNodes, texel).xyz) - positionWorld;
-    vec3 normal = uintBitsToFloat(texelFetch(lightNodes, texel + 1).xyz);
-    vec4 flux = uintBitsToFloat(texelFetch(lightNodes, texel + 2));
+    vec3 radiance = uintBitsToFloat(texelFetch(lightNodes, texel + 3).xyz);
+    vec4 tube = uintBitsToFloat(texelFetch(lightNodes, texel + 4));
     float inverse = inversesqrt(max(dot(offset, offset), 1e-30));
     offset *= inverse;
-    float cosine = -dot(normal, offset);
-    cosine = flux.w > 0.0 ? abs(cosine) : max(cosine, 0.0);
-    // A ball looks the same from everywhere.
-    cosine = dot(normal, normal) > 0.0 ? cosine : 1.0;
+    // A ball is a tube without length.
+    float area = tube.w * (2.0 * length(cross(tube.xyz, offset)) + 3.14159265 * tube.w);
     vec3 direction = frameFromWorld * offset;
     // A tile's list may have it for other surfaces than this one.
-    cosine = direction.z > 0.0 ? cosine : 0.0;
-    return FarLight(direction, flux.rgb * (cosine * inverse * inverse));
+    area = direction.z > 0.0 ? area : 0.0;
+    return FarLight(direction, radiance * (area * inverse * inverse));
 }
 
 /// A lobe's share of a far light's radiance times solid angle.

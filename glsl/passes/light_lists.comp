@@ -22,8 +22,8 @@ layout(binding = kTileUnit) uniform samplerBuffer tileTexels;
 layout(binding = kLightNodeUnit) uniform usamplerBuffer lightNodes;
 
 // Shares of the threshold; with the last one nothing but lights that give nothing are left out.
-const int kLimitCount = 7;
-const float kLimitShares[kLimitCount] = float[](0.05, 0.025, 0.012, 0.006, 0.002, 0.0005, 0.0);
+const int kLimitCount = 9;
+const float kLimitShares[kLimitCount] = float[](0.06, 0.03, 0.015, 0.008, 0.004, 0.002, 0.001, 0.0004, 0.0);
 
 const uint kNoNode = 0xffffffffu;
 
@@ -31,14 +31,11 @@ uniform int polylumeTurn;
 
 uint nodeEnd(uint kind) { return lightList.nodeEnds[kind / 4u][kind % 4u]; }
 
-/// How far the shaders' arcs are from a tube's share of a lobe at worst, as a part of it; a strip's edges are not.
-const float kTubeRounding = 3e-4;
-
 vec4 nodeValues(uint node, int i) { return uintBitsToFloat(texelFetch(lightNodes, int(node * kLightNodeTexels) + i)); }
 
 LightNodeData readNode(uint node) {
     return LightNodeData(nodeValues(node, 0), nodeValues(node, 1), nodeValues(node, 2), nodeValues(node, 3),
-                         nodeValues(node, 4), nodeValues(node, 5), nodeValues(node, 6));
+                         nodeValues(node, 4), nodeValues(node, 5));
 }
 
 vec4 tileValues(uint part, int i) { return texelFetch(tileTexels, int(part * kTileTexels) + i); }
@@ -69,28 +66,38 @@ void walkNodes(const bool mayBeStrips, uint kind, uint lastNode, uint firstPart,
     while (walk.node < lastNode && walk.visits < kMostVisits && walk.changed <= lightList.threshold.x) {
         ++walk.visits;
         LightNodeData data = readNode(walk.node);
-        LightBound bound = LightBound(0.0, 0.0, 0.0, true);
+        uint entryKind = floatBitsToUint(data.group.z);
+        bool isLeaf = isSingleLight(data);
+        bool hasGroup = entryKind == kGroupEntry || entryKind == kLightOrGroupEntry;
+        bool hasPoint = entryKind == kLightOrPointEntry;
+        LightBound bound = LightBound(0.0, 0.0, true);
         float strip = 0.0;
         uint part = firstPart;
+        bool isDecided = false;
         do {
             TileData tile = readTile(part);
             LightBound partBound = lightBound(tile, data);
-            bound.most = max(bound.most, partBound.most);
-            bound.group = max(bound.group, partBound.group);
-            bound.far = max(bound.far, partBound.far);
             bound.isWhole = bound.isWhole && partBound.isWhole;
-            if (mayBeStrips) strip = max(strip, stripDifference(tile, data) + kTubeRounding * partBound.most);
-        } while (++part < endPart);
-        uint entryKind = floatBitsToUint(data.group.z);
-        bool isLeaf = entryKind == kLightEntry || entryKind == kLightOrGroupEntry;
-        bool hasGroup = entryKind == kGroupEntry || entryKind == kLightOrGroupEntry;
+            if (mayBeStrips) {
+                StripBound ofStrip = stripBound(tile, data, partBound.most);
+                partBound.change += ofStrip.point;
+                strip = max(strip, ofStrip.strip);
+            }
+            bound.most = max(bound.most, partBound.most);
+            bound.change = max(bound.change, partBound.change);
+            // What the other parts say makes no difference.
+            bool isReplaced = (hasGroup || hasPoint) && bound.change <= walk.limit;
+            isDecided = bound.most > walk.limit && !isReplaced && !(isLeaf && bound.isWhole) &&
+                        !(mayBeStrips && strip <= walk.limit);
+        } while (++part < endPart && !isDecided);
         bool isLeftOut = bound.most <= walk.limit;
-        bool isFar = !isLeftOut && bound.far <= walk.limit;
-        bool isGroup = !isLeftOut && !isFar && hasGroup && bound.group <= walk.limit;
+        bool isReplaced = !isLeftOut && bound.change <= walk.limit;
+        bool isFar = isReplaced && hasPoint;
+        bool isGroup = isReplaced && hasGroup;
         bool isDone = isLeftOut || isFar || isGroup;
         bool isLight = !isDone && isLeaf;
         bool isStrip = mayBeStrips && isLight && strip <= walk.limit;
-        float change = isLeftOut ? bound.most : isFar ? bound.far : isGroup ? bound.group : isStrip ? strip : 0.0;
+        float change = isLeftOut ? bound.most : isFar || isGroup ? bound.change : isStrip ? strip : 0.0;
         bool isFirstTurn = mayBeStrips && kind == kTubeList;
         bool isSecondTurn = mayBeStrips && kind == kStripList;
         walk.changed += isFirstTurn ? 0.0 : change;

@@ -145,15 +145,21 @@ void main() {
             uint part = partCount;
             for (uint k = kTileParts; k-- > 0u;) part = k < partCount && areLike(like, parts[k].like) ? k : part;
             bool isNew = part == partCount && partCount < kTileParts;
-            part = min(part, kTileParts - 1u);
-            Reflectances reflectances = reflectancesOf(surface);
-            for (uint k = 0u; k < kTileParts; ++k) {
-                if (k == part) {
-                    parts[k].like = isNew ? like : parts[k].like;
-                    parts[k].anchor = isNew ? surface.positionWorld : parts[k].anchor;
-                    addSurface(surface, reflectances, parts[k]);
+            // Where there is no room, to the one that is most like it.
+            if (part == kTileParts) {
+                float nearest = 1e30;
+                for (uint k = 0u; k < kTileParts; ++k) {
+                    float difference = (1.0 - dot(like.xyz, parts[k].like.xyz)) + 0.3 * abs(like.w - parts[k].like.w);
+                    part = difference < nearest ? k : part;
+                    nearest = min(nearest, difference);
                 }
             }
+            Reflectances reflectances = reflectancesOf(surface);
+            if (isNew) {
+                parts[part].like = like;
+                parts[part].anchor = surface.positionWorld;
+            }
+            addSurface(surface, reflectances, parts[part]);
             partCount += isNew ? 1u : 0u;
         }
     }

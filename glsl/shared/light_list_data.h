@@ -11,11 +11,11 @@ namespace polylume::shared {
 // passes/light_lists.comp lists its lights, the lighting reads the lists.
 
 const uint kTileSize = 16;    // Pixels of a tile's side.
-const uint kTileParts = 4;    // A tile's surfaces are bounded in so many parts, each of like normals and roughness.
+const uint kTileParts = 12;   // A tile's surfaces are bounded in so many parts, each of like normals and roughness.
 
 // A tile's list has a section for each kind of light, in this order. A group of lights is listed as a parallelogram, as is
 // a light of another outline where that makes no difference; a tube that is slender enough to be lit by as a strip has a
-// section of its own, as have parallelograms that no horizon of the tile clips, and what is far enough to be lit by as a point is listed by its node.
+// section of its own, as have parallelograms that no horizon of the tile clips, and a ball or tube that is far enough to be lit by as a point is listed by its node.
 const uint kTriangleList = 0;
 const uint kPolygonList = 1;
 const uint kTexturedParallelogramList = 2;
@@ -46,11 +46,12 @@ const uint kEveryLight = 0xffffffffu;
 const uint kNoEntry = 0;
 const uint kLightEntry = 1;
 const uint kGroupEntry = 2;
-const uint kLightOrGroupEntry = 3;  // A light, for which a parallelogram may stand.
+const uint kLightOrGroupEntry = 3;  // A light, for which a parallelogram may stand,
+const uint kLightOrPointEntry = 4;  // and a ball or a tube, for which a point may.
 /// The largest difference of the unit normals of lights below a node that count as parallel.
 const float kParallelTolerance = 4e-4f;
 
-const uint kLightNodeTexels = 7;
+const uint kLightNodeTexels = 6;
 const uint kTileTexels = 13;
 
 // Of the shaders that make the lists.
@@ -91,10 +92,10 @@ struct LightNodeData {
     vec4 radiance;  ///< Summed; w: as a float's bits: index of the first node that is not below this one; of a
                     ///< kLightOrGroupEntry, which has none below: the group's index.
     vec4 moments;   ///< How far those of the group, to the third order, are from the lights': a norm of each. Of a single
-                    ///< tube: from its start to its end; w: its radius.
-    vec4 far;       ///< Moments of the lights about the center, of the first three orders and at most of the fourth.
-    vec4 group;     ///< x: of the fourth order, the sum of both; as a float's bits: y: the light's index or that of a
-                    ///< node's group among the parallelograms, z: kLightEntry and so on; w: a punctual light's range.
+                    ///< ball or tube: from its start to its end; w: its radius.
+    vec4 group;     ///< x: that of the fourth order, the sum of both, at most; as a float's bits: y: the light's index or
+                    ///< that of a node's group among the parallelograms, z: kLightEntry and so on; w: a punctual light's
+                    ///< range.
 };
 
 #ifdef __cplusplus

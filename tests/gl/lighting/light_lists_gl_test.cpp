@@ -202,7 +202,7 @@ TEST_P(LightListsTest, noPixelChangesByMoreThanTheThreshold) {
 }
 
 TEST_P(LightListsTest, brokenListsAreFound) {
-    const gl::ShaderLibrary twin = test::makeTwin("culling/light_bound.glsl",
+    const gl::ShaderLibrary twin = test::makeTwin("culling/kernel_bound.glsl",
                                                   "kInversePi = 0.318309886", "kInversePi = 0.001");
     const LightSet lights = LightMaker(3, false).lights(300, false);
     std::string message;

@@ -193,14 +193,12 @@ glm::dvec3 reflectFarInDouble(const SurfacePixel& pixel, const shared::LightNode
         const PixelFrame frame(at);
         const glm::dvec3 offset = glm::dvec3(node.center) - frame.position;
         const glm::dvec3 direction = glm::normalize(offset);
-        const glm::dvec3 normal(node.normal);
-        double cosine = 1.0;
-        if (normal != glm::dvec3(0.0)) {
-            cosine = -glm::dot(normal, direction);
-            cosine = node.flux.w > 0.0f ? std::abs(cosine) : std::max(cosine, 0.0);
-        }
+        const glm::dvec3 axis(node.moments);
+        const double radius = node.moments.w;
+        const double area =
+            radius * (2.0 * glm::length(glm::cross(axis, direction)) + std::numbers::pi * radius);
         const glm::dvec3 local = frame.toLocal(direction);
-        const double solidAngle = local.z > 0.0 ? cosine / glm::dot(offset, offset) : 0.0;
+        const double solidAngle = local.z > 0.0 ? area / glm::dot(offset, offset) : 0.0;
         const ltc::TableEntry entry = table.lookup(at.roughness, frame.cosView);
         ReferenceShading shading;
         shading.diffuse = solidAngle * std::max(local.z, 0.0) / std::numbers::pi;
@@ -216,7 +214,7 @@ glm::dvec3 reflectFarInDouble(const SurfacePixel& pixel, const shared::LightNode
         shading.albedo = entry.albedo;
         return shading;
     };
-    return glm::dvec3(node.flux) * reflect(pixel, model, shadeFar);
+    return glm::dvec3(node.radiance) * reflect(pixel, model, shadeFar);
 }
 
 }  // namespace polylume::test

@@ -127,7 +127,6 @@ const std::vector<Field> kLightNodeFields = {POLYLUME_FIELD(LightNodeData, "node
                                              POLYLUME_FIELD(LightNodeData, "nodes[0].", flux),
                                              POLYLUME_FIELD(LightNodeData, "nodes[0].", radiance),
                                              POLYLUME_FIELD(LightNodeData, "nodes[0].", moments),
-                                             POLYLUME_FIELD(LightNodeData, "nodes[0].", far),
                                              POLYLUME_FIELD(LightNodeData, "nodes[0].", group)};
 
 /// What the linked program says of its blocks, against what C++ says: a size alone would pass two
@@ -262,7 +261,7 @@ void main() {
     result = vec4(lightList.tileCount + lightList.nodeEnds[0] + lightList.nodeEnds[2]) + lightList.threshold;
     result += t.center + t.halfSize + t.normalLow + t.normalHigh + t.rowLow[0] + t.rowHigh[2];
     result += t.diffuse + t.wide + t.specular;
-    result += n.center + n.normal + n.flux + n.radiance + n.moments + n.far + n.group;
+    result += n.center + n.normal + n.flux + n.radiance + n.moments + n.group;
 }
 )",
                     "list reader");

@@ -113,15 +113,13 @@ double fourthMomentOf(const Samples& samples, const glm::dvec3& center) {
 
 /// All that a spread and a group say, against sums over other samples.
 void expectHonest(const FlatLights& lights, double scale) {
-    const std::optional<LightSpread> spread = spreadOf(lights.summaries);
-    ASSERT_TRUE(spread);
-    const std::optional<LightGroup> group = groupLights(lights.summaries, *spread);
+    const std::optional<LightGroup> group = groupLights(lights.summaries);
     ASSERT_TRUE(group);
     double flux = 0.0;  // Of the brightest channel; at least.
     for (int channel = 0; channel < 3; ++channel) {
-        flux = std::max(flux, test::normOf(momentsOf(lights, spread->center, 0, channel)));
+        flux = std::max(flux, test::normOf(momentsOf(lights, group->center, 0, channel)));
     }
-    const double far = glm::length(spread->center);
+    const double far = glm::length(group->center);
     for (int order = 0; order < 4; ++order) {
         // A vertex of a turned plane is off by float's rounding.
         const double unit = flux * std::pow(scale, order);
@@ -129,12 +127,8 @@ void expectHonest(const FlatLights& lights, double scale) {
         const double rounding = 1e-7 * unit;
         const double slack = unit * (1e-4 + 1e-5 * far / scale);
         for (int channel = 0; channel < 3; ++channel) {
-            const double norm = test::normOf(momentsOf(lights, spread->center, order, channel));
-            if (order > 0) {
-                EXPECT_LE(norm, spread->moments[order - 1] + rounding) << order;
-            }
             const std::vector<double> difference =
-                differencesOf(lights, *group, spread->center, order, channel);
+                differencesOf(lights, *group, group->center, order, channel);
             EXPECT_LE(test::normOf(difference), group->differences[order] + rounding) << order;
             // Flux and center of all channels, and the second moments of their sum, are the
             // lights'.
@@ -143,10 +137,10 @@ void expectHonest(const FlatLights& lights, double scale) {
             }
         }
         if (order == 1 || order == 2) {
-            std::vector<double> sum = differencesOf(lights, *group, spread->center, order, 0);
+            std::vector<double> sum = differencesOf(lights, *group, group->center, order, 0);
             for (int channel = 1; channel < 3; ++channel) {
                 const std::vector<double> more =
-                    differencesOf(lights, *group, spread->center, order, channel);
+                    differencesOf(lights, *group, group->center, order, channel);
                 for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += more[k];
             }
             EXPECT_LT(test::normOf(sum), 3.0 * slack) << order;
@@ -157,22 +151,17 @@ void expectHonest(const FlatLights& lights, double scale) {
         const double radiance =
             std::max({lights.set.polygons[i].radiance.r, lights.set.polygons[i].radiance.g,
                       lights.set.polygons[i].radiance.b});
-        fourth += radiance * fourthMomentOf(lights.samples[i], spread->center);
-        for (const glm::vec3& vertex : lights.set.polygons[i].contours.front()) {
-            EXPECT_LE(glm::distance(glm::dvec3(vertex), spread->center),
-                      spread->radius * (1.0 + 1e-9));
-        }
+        fourth += radiance * fourthMomentOf(lights.samples[i], group->center);
     }
-    EXPECT_LE(fourth, spread->fourthMoment * (1.0 + 1e-9));
     const shared::ParallelogramData& data = group->parallelogram;
     const float brightest = std::max({data.radiance.r, data.radiance.g, data.radiance.b});
-    fourth += static_cast<double>(brightest) * fourthMomentOf(samplesOf(data), spread->center);
+    fourth += static_cast<double>(brightest) * fourthMomentOf(samplesOf(data), group->center);
     EXPECT_LE(fourth, group->fourthMoment * (1.0 + 1e-6));
     for (const float u : {0.0f, 1.0f}) {
         for (const float v : {0.0f, 1.0f}) {
             const glm::dvec3 vertex(data.corner + u * data.edgeX + v * data.edgeY);
             // LightNodeData's sphere has that much room.
-            EXPECT_LE(glm::distance(vertex, spread->center), 1.00001 * group->radius + 1e-6 * far);
+            EXPECT_LE(glm::distance(vertex, group->center), 1.00001 * group->radius + 1e-6 * far);
         }
     }
     EXPECT_NEAR(glm::length(glm::dvec3(data.normal)), 1.0, 1e-6);
@@ -201,7 +190,7 @@ TEST(LightGroupTest, channelsWithoutLightAreLeftOut) {
     expectHonest(makeRandomLights(9, 3, place, {0, 1, 0}), 1.0);
     expectHonest(makeRandomLights(9, 3, place, {1, 0, 1}), 1.0);
     const FlatLights dark = makeRandomLights(9, 3, place, {0, 0, 0});
-    EXPECT_FALSE(spreadOf(dark.summaries));
+    EXPECT_FALSE(groupLights(dark.summaries));
 }
 
 TEST(LightGroupTest, channelsWithCentersOfTheirOwnAreCounted) {
@@ -211,9 +200,8 @@ TEST(LightGroupTest, channelsWithCentersOfTheirOwnAreCounted) {
     addRectangle(lights, place, {4, 0}, {1, 1}, {1, 1, 10});
     lights.finish();
     expectHonest(lights, 4.0);
-    const std::optional<LightSpread> spread = spreadOf(lights.summaries);
-    // Of red: 10 at -2, 1 at 2.
-    EXPECT_GT(spread->moments[0], 17.0);
+    // Of red: 10 at -2, 1 at 2; the group has all at the center.
+    EXPECT_GT(groupLights(lights.summaries)->differences[1], 17.0);
 }
 
 TEST(LightGroupTest, equalLightsAtOnePlaceAreOne) {
@@ -222,8 +210,7 @@ TEST(LightGroupTest, equalLightsAtOnePlaceAreOne) {
     for (int i = 0; i < 5; ++i) addRectangle(lights, place, {0, 0}, {2, 1}, {3, 2, 1});
     lights.finish();
     expectHonest(lights, 2.0);
-    const std::optional<LightGroup> group =
-        groupLights(lights.summaries, *spreadOf(lights.summaries));
+    const std::optional<LightGroup> group = groupLights(lights.summaries);
     const shared::ParallelogramData& data = group->parallelogram;
     EXPECT_NEAR(data.radiance.r, 15.0f, 1e-4f);
     EXPECT_NEAR(glm::length(glm::vec3(data.edgeX)), 2.0f, 1e-5f);
@@ -256,8 +243,7 @@ TEST(LightGroupTest, twoSidedLightsMakeTwoSidedGroups) {
         addRectangle(lights, place, {3, 0}, {2, 1}, {3, 2, 1});
         for (PolygonLight& light : lights.set.polygons) light.twoSided = twoSided;
         lights.finish();
-        const std::optional<LightGroup> group =
-            groupLights(lights.summaries, *spreadOf(lights.summaries));
+        const std::optional<LightGroup> group = groupLights(lights.summaries);
         EXPECT_EQ(group->parallelogram.corner.w, twoSided ? 1.0f : 0.0f);
     }
 }
@@ -270,8 +256,7 @@ TEST(LightGroupTest, turnedLightsCountByTheirTurn) {
     place.y += static_cast<double>(shared::kParallelTolerance) * glm::cross(place.x, place.y);
     addRectangle(lights, place, {0, 0}, {2, 1}, {3, 3, 3});
     lights.finish();
-    const std::optional<LightSpread> spread = spreadOf(lights.summaries);
-    const std::optional<LightGroup> group = groupLights(lights.summaries, *spread);
+    const std::optional<LightGroup> group = groupLights(lights.summaries);
     // Flux 12, each half the angle off.
     EXPECT_GE(group->differences[0], 0.99 * 12.0 * 0.5 * shared::kParallelTolerance);
 }
@@ -283,15 +268,8 @@ TEST(LightGroupTest, roundLightsMakeNoGroup) {
     set.tubes.resize(1);
     const std::vector<LightSummary> all = summarizeLights(set, packLights(set).places, {});
     const std::span<const LightSummary> summaries(all);
-    const std::optional<LightSpread> spread = spreadOf(summaries.first(2));
-    ASSERT_TRUE(spread);
-    EXPECT_EQ(spread->center, glm::dvec3(1, 0, 0));
-    EXPECT_DOUBLE_EQ(spread->radius, 1.5);
-    // Two points, and each a disk that is seen of a ball.
-    const double flux = 2.0 * 1000.0 * std::numbers::pi * 0.25;
-    EXPECT_GE(spread->moments[1], flux * (1.0 + 0.25 * std::numbers::sqrt2 / 4.0));
-    EXPECT_FALSE(groupLights(summaries.first(2), *spread));
-    EXPECT_FALSE(spreadOf(summaries));
+    EXPECT_FALSE(groupLights(summaries.first(2)));
+    EXPECT_FALSE(groupLights(summaries));
 }
 
 }  // namespace

@@ -177,7 +177,10 @@ class TreeCheck {
         const std::uint32_t kind = kindOf(node);
         const std::uint32_t index = std::bit_cast<std::uint32_t>(data.group.y);
         std::vector<Entry> below;
-        if (kind == shared::kLightEntry || kind == shared::kLightOrGroupEntry) {
+        const bool isSolid = list == shared::kSphereList || list == shared::kTubeList;
+        if (kind == shared::kLightEntry || kind == shared::kLightOrGroupEntry ||
+            kind == shared::kLightOrPointEntry) {
+            check((kind == shared::kLightOrPointEntry) == isSolid, node, "what has a point");
             check(skipOf(node) == node + 1, node, "skip of a leaf");
             check(extents_.contains({list, index}), node, "no such light");
             if (!extents_.contains({list, index})) return {};
@@ -238,11 +241,11 @@ class TreeCheck {
         check(data.group.w >= std::min(range, 9e29) * (1.0 - 1e-6), node, "range");
         for (int i = 0; i < 4; ++i) {
             check(std::isfinite(data.center[i]) && std::isfinite(data.flux[i]) &&
-                      std::isfinite(data.far[i]) && std::isfinite(data.moments[i]),
+                      std::isfinite(data.moments[i]),
                   node, "finite");
             // A tube has its axis there.
             const bool isMoment = below.size() > 1 || below[0].first != shared::kTubeList;
-            check(data.far[i] >= 0.0f && (data.moments[i] >= 0.0f || !isMoment), node, "moments");
+            check(data.moments[i] >= 0.0f || !isMoment, node, "moments");
         }
     }
 
