@@ -17,6 +17,8 @@ namespace {
 
 /// Room for that many lights a tile before it is known how many there are.
 constexpr std::size_t kFirstListLength = 128;
+/// 64 MiB; tiles with longer walks than what they have of it bound their lights once more.
+constexpr std::size_t kMostDecisionWords = 1u << 24;
 
 GLuint groupCount(int invocations) {
     constexpr int kGroupSize = 8;  // In both shaders.
@@ -114,8 +116,27 @@ void LightLists::setTiles(glm::ivec2 size) {
         tiles_ = gl::Buffer::ofSize(gl_, tileBytes, 0, "tiles of light lists");
         tileTexels_ = gl::BufferTexture(gl_, GL_RGBA32F, tiles_, "tiles of light lists");
     }
-    const std::size_t longest = std::min(kFirstListLength, tree_.nodes.size());
+    const std::size_t longest =
+        std::min(kFirstListLength + tree_.nodes.size() / 16, tree_.nodes.size());
     setCapacity(tiles * (shared::kListHeaderSize + longest));
+    setDecisions(tiles);
+}
+
+void LightLists::setDecisions(std::size_t tiles) {
+    const std::size_t needed = mostVisitsOfRound() / shared::kDecisionsOfWord + 1;
+    decisionWords_ = static_cast<std::uint32_t>(std::min(needed, kMostDecisionWords / tiles));
+    const std::size_t bytes =
+        std::max<std::size_t>(tiles * decisionWords_, 1) * sizeof(std::uint32_t);
+    if (bytes > decisions_.sizeBytes()) {
+        decisions_ = gl::Buffer::ofSize(gl_, bytes, 0, "decisions of light lists");
+    }
+}
+
+std::size_t LightLists::mostVisitsOfRound() const {
+    // It goes through tubes twice.
+    const std::size_t tubeNodes =
+        tree_.nodeEnds[shared::kTubeList] - tree_.nodeEnds[shared::kTubeList - 1];
+    return tree_.nodes.size() + tubeNodes;
 }
 
 std::uint32_t LightLists::headWords() const {
@@ -127,16 +148,16 @@ void LightLists::list(glm::ivec2 size, float threshold) {
     const std::uint32_t heads = headWords();
     end_.update(gl::bytesOf(heads));
     shared::LightListData data{};
-    data.tileCount = glm::uvec4(tileCount_, capacity_, 0);
+    data.tileCount = glm::uvec4(tileCount_, capacity_, decisionWords_);
     for (std::uint32_t i = 0; i < shared::kListKindCount; ++i) {
         data.nodeEnds[i / 4][static_cast<int>(i % 4)] = tree_.nodeEnds[i];
     }
     data.threshold.x = threshold;
     settings_.update(gl::bytesOf(data));
 
-    const std::array blocks = {tiles_.name(), words_.name(), end_.name()};
+    const std::array blocks = {tiles_.name(), words_.name(), end_.name(), decisions_.name()};
     static_assert(shared::kTileBinding == 0 && shared::kListBinding == 1 &&
-                  shared::kListEndBinding == 2);
+                  shared::kListEndBinding == 2 && shared::kDecisionBinding == 3);
     gl_.BindBuffersBase(GL_SHADER_STORAGE_BUFFER, 0, blocks.size(), blocks.data());
     // Unlike glBindBufferBase() it leaves the generic binding point, which may be a host's.
     const GLuint settings = settings_.name();
@@ -151,10 +172,7 @@ void LightLists::list(glm::ivec2 size, float threshold) {
     gl_.BindTextureUnit(shared::kTileUnit, tileTexels_.name());
     gl_.BindSampler(shared::kTileUnit, 0);
     lists_.use();
-    // It goes through tubes twice.
-    const std::size_t tubeNodes =
-        tree_.nodeEnds[shared::kTubeList] - tree_.nodeEnds[shared::kTubeList - 1];
-    const std::size_t visits = shared::kMostRounds * (tree_.nodes.size() + tubeNodes);
+    const std::size_t visits = shared::kMostRounds * mostVisitsOfRound();
     const auto turnCount = static_cast<int>(visits / shared::kMostVisits + 1);
     for (int turn = 0; turn < turnCount; ++turn) {
         gl_.ProgramUniform1i(lists_.name(), turnLocation_, turn);

@@ -41,7 +41,7 @@ class LightLists {
 
     /// Lists the lights of `resources` for a picture of `size` pixels whose surfaces are bound, as
     /// are `resources` and the camera's block; `threshold`: nits, at least 0. Binds them for a
-    /// program with POLYLUME_LIGHT_LISTS, and changes the program, the storage blocks 0 to 2 and
+    /// program with POLYLUME_LIGHT_LISTS, and changes the program, the storage blocks 0 to 3 and
     /// the texture of shared::kLightUnit: `resources` have to be bound again. Makes no object while
     /// picture and lists keep to the largest size so far, but for a fence on hardware; uses the
     /// heap where lights have changed. Without lists that fit, which only happens on hardware, all
@@ -60,6 +60,9 @@ class LightLists {
     void takeLights(LightingResources& resources);
     void setTiles(glm::ivec2 size);
     void setCapacity(std::size_t wordCount);
+    void setDecisions(std::size_t tiles);
+    /// Nodes that a tile visits in a round through all lights, at most.
+    std::size_t mostVisitsOfRound() const;
     void list(glm::ivec2 size, float threshold);
     /// Makes room where the latest lists that are known did not fit; false where there was nothing
     /// to do.
@@ -92,7 +95,9 @@ class LightLists {
     gl::Buffer words_;
     gl::BufferTexture wordTexels_;
     std::size_t capacity_ = 0;  ///< Words.
-    GLint mostWords_ = 0;       ///< The driver's limit.
+    gl::Buffer decisions_;
+    std::uint32_t decisionWords_ = 0;  ///< Of a tile.
+    GLint mostWords_ = 0;              ///< The driver's limit.
 };
 
 }  // namespace polylume

@@ -127,7 +127,8 @@ TileData dataOf(Part part) {
     return data;
 }
 
-bool areLike(vec4 a, vec4 b) { return dot(a.xyz, b.xyz) > 0.95 && abs(a.w - b.w) < 0.1; }
+/// Lobes go by the logarithm of the roughness.
+bool areLike(vec4 a, vec4 b) { return dot(a.xyz, b.xyz) > 0.95 && abs(a.w - b.w) < 0.01 + 0.2 * b.w; }
 
 void main() {
     uvec2 tile = gl_GlobalInvocationID.xy;

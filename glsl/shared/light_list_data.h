@@ -34,11 +34,15 @@ const uint kListKindCount = 13;
 /// Words at the head of the lists, for each tile: first word of its list, the ends of its sections, and then what
 /// passes/light_lists.comp keeps from turn to turn.
 const uint kListSectionWords = 14;
-const uint kListHeaderSize = 23;
-/// Nodes that it visits in a turn, at most 5 iterations each; 8 tiles that go on together may all go in different ways.
-const uint kMostVisits = 1600;
+const uint kListHeaderSize = 25;
+/// Nodes that it visits in a turn, at most kTileParts + 1 iterations each; 8 tiles that go on together may all go in
+/// different ways.
+const uint kMostVisits = 600;
+const uint kListLimitCount = 9;
 /// Its rounds through all nodes at most: one for each limit, and one that writes.
-const uint kMostRounds = 8;
+const uint kMostRounds = kListLimitCount + 1;
+/// What a word holds of what it decided at nodes.
+const uint kDecisionsOfWord = 8;
 /// In place of the first word: there was no room, all lights count.
 const uint kEveryLight = 0xffffffffu;
 
@@ -60,12 +64,13 @@ const uint kTileBinding = 0;
 const uint kTileUnit = 9;  // That of the lights, which they don't read: the free ones are for a host's snippet.
 const uint kListBinding = 1;
 const uint kListEndBinding = 2;
+const uint kDecisionBinding = 3;
 // Of those that read them; the nodes are read by both.
 const uint kLightListUnit = 14;
 const uint kLightNodeUnit = 15;
 
 struct LightListData {
-    uvec4 tileCount;     ///< Across and up; z: words of all lists with their heads; w unused.
+    uvec4 tileCount;     ///< Across and up; z: words of all lists with their heads; w: of each tile's decisions.
     uvec4 nodeEnds[4];   ///< Of the nodes of each kind, in the order of the sections.
     vec4 threshold;      ///< Nits; yzw unused.
 };
