@@ -2,9 +2,9 @@
 # SPDX-FileCopyrightText: 2026 The Polylume authors
 # SPDX-License-Identifier: MIT
 """A street at night in a district of 600 m, wet from rain, under 16 to 10,000 lights of every shape: lit windows,
-shops, neon, screens, street lamps, cars, lanterns. `city.py --lights N --seed S -o FILE.glb`; nothing but Python's
+shops, neon, screens, street lamps, cars, lanterns, towers around. `city.py --lights N --seed S -o FILE.glb`; nothing but Python's
 standard library, and the bytes are the same on every machine. With more lights the street stays as it is: those of
-fewer lights are among them, and the next ones shine somewhere in the district."""
+fewer lights are among them, the next ones shine somewhere in the district, and from 1,500 on from its skyline."""
 
 import argparse
 import pathlib
@@ -15,7 +15,7 @@ sys.dont_write_bytecode = True
 from city_fittings import Fittings  # noqa: E402
 from city_ground import add_ground  # noqa: E402
 from city_lights import Lights, counts  # noqa: E402
-from city_plan import CROSS_STREET, FIRST_Z, ROWS, STEP_X, STEP_Z, STREET, Dice, make_city  # noqa: E402
+from city_plan import CROSS_STREET, FIRST_Z, ROWS, STEP_X, STEP_Z, STREET, Dice, make_city, make_skyline  # noqa: E402
 from city_props import Props  # noqa: E402
 from city_signs import Pictures  # noqa: E402
 from city_traffic import Traffic  # noqa: E402
@@ -74,6 +74,11 @@ def make(light_count, seed):
                 fittings.add_detailed(facade, walls.add_facade(facade, wall_dice))
             else:
                 fittings.add_plain(facade, lit_share(facade))
+    skyline_dice = Dice(seed, "skyline")
+    skyline_fittings = Fittings(lights, props, None, skyline_dice)
+    for i, tower in enumerate(make_skyline(skyline_dice)):
+        walls.add_tower(f"tower {i + 1}", tower)
+        skyline_fittings.add_tower(tower)
     fittings.add_landmarks()
     traffic = Traffic(lights, props, Dice(seed, "traffic"))
     traffic.add_main_street()
@@ -90,7 +95,7 @@ def make(light_count, seed):
     chosen = ordered[:light_count]
     for i, light in enumerate(chosen):
         document.place_light(f"{light.kind} {i + 1}", light.extension, light.light, **light.placement)
-    document.add_camera("street", look_at(*CAMERA), CAMERA_YFOV, znear=0.1, zfar=800.0)
+    document.add_camera("street", look_at(*CAMERA), CAMERA_YFOV, znear=0.1, zfar=2500.0)
     return document, chosen
 
 

@@ -10,6 +10,7 @@ from vectors import turn, turn_y, after
 
 WARM = [(1.0, 0.60, 0.28), (1.0, 0.70, 0.40), (1.0, 0.52, 0.20), (1.0, 0.78, 0.52), (1.0, 0.66, 0.34)]
 COOL = [(0.62, 0.80, 1.0), (0.75, 0.92, 1.0), (0.45, 0.70, 1.0)]
+OFFICES = [(1.0, 0.82, 0.60), (1.0, 0.93, 0.82), (0.80, 0.92, 1.0), (1.0, 0.72, 0.44)]
 RARE = [(0.35, 1.0, 0.60), (1.0, 0.28, 0.50), (0.62, 0.36, 1.0)]
 NEON = [(1.0, 0.03, 0.16), (0.02, 0.36, 1.0), (1.0, 0.24, 0.02), (0.04, 1.0, 0.42), (0.44, 0.06, 1.0),
         (0.02, 0.75, 0.85), (1.0, 0.04, 0.02), (1.0, 0.42, 0.04)]
@@ -51,6 +52,16 @@ class Fittings:
                 self._room(facade.frame, ((bay + 0.5) * BAY, foot + 1.65, 0.03), (1.35, 1.9), house_color)
         if self._dice.chance(share):
             self._line(facade, facade.building.height - 0.8, 0.1)
+
+    def add_tower(self, tower):
+        """Offices behind a tower's front, all in one colour: most storeys are lit from end to end."""
+        color, nits = self._dice.pick(OFFICES), self._dice.pick(NITS["tower window"])
+        for storey in range(tower.building.storeys):
+            if not self._dice.chance(0.75):
+                continue
+            for bay in range(tower.facade.bays):
+                place = ((bay + 0.5) * BAY, GROUND_FLOOR + storey * STOREY + 1.65, 0.03)
+                self._lights.rect("tower window", tower.facade.frame, place, (1.35, 1.9), color, nits)
 
     def add_landmarks(self):
         """Signs that the camera's street has whatever the seed: one of each outline, and a screen at its end."""

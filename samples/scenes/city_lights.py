@@ -15,12 +15,15 @@ STREET_SHARE = 0.6          # Distance along that street counts as this much of 
 # Many and alike, or dear: metres that they count as farther away.
 LATER = {"balcony line": 250.0, "neon frame": 250.0, "bollard": 200.0, "lantern": 150.0, "letter": 100.0,
          "neon line": 60.0, "wall washer": 60.0, "pictured shop window": 40.0}
-NEAR = 255                  # So many are the nearest ones; the next ones come from the whole district.
+NEAR = 255                  # So many are the nearest ones; the next ones come from the whole district,
+DISTRICT = 1500             # and once there are so many, those of the skyline.
+SKYLINE = "tower window"
 DOWN = turn((1.0, 0.0, 0.0), -90.0)
 
 # cd/m^2, of windows those to choose from. The surfaces around have some 6.
 NITS = {
-    "window": (50, 60, 75, 90, 110, 140, 170, 210), "shop window": (64, 80, 96, 115), "landmark": 180, "emblem": 230,
+    "window": (50, 60, 75, 90, 110, 140, 170, 210), "tower window": (24, 32, 42, 56),
+    "shop window": (64, 80, 96, 115), "landmark": 180, "emblem": 230,
     "big screen": 200, "screen": 360, "billboard": 180, "hanging sign": 160, "letter": 290, "neon line": 380,
     "neon frame": 430, "balcony line": 330, "wall washer": 17000, "downlight": 12000, "street lamp": 9500,
     "globe lamp": 850, "lantern": 340, "bollard": 1250, "traffic light": 2500, "headlight": 7800, "tail light": 2100,
@@ -121,12 +124,14 @@ class Lights:
 
     def in_order(self, first):
         """All lights, those nearest to the places of `first` ((kind, place), ...) before the others, then the other near
-        ones, then by chance those of the district, most of them windows and far away."""
+        ones, then by chance those of the district, most of them windows and far away, then those of the skyline."""
         def far_rank(light):
             return self._dice.between(0.0, 1.0 if light.shape == "rectangle" else 2.0) / light.rank ** 3
 
-        ranked = sorted(self._all, key=lambda light: light.rank)
+        ranked = sorted((light for light in self._all if light.kind != SKYLINE), key=lambda light: light.rank)
         rest = ranked[:NEAR] + sorted(ranked[NEAR:], key=far_rank)
+        # Tower by tower, as they were put up.
+        rest[DISTRICT:DISTRICT] = [light for light in self._all if light.kind == SKYLINE]
         chosen = []
         for kind, place in first:
             best = min((light for light in rest if light.kind == kind),

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Polylume authors
 # SPDX-License-Identifier: MIT
-"""Where the streets and buildings of `city` stand: blocks of 48 m on a grid, each with buildings around its edge."""
+"""Where the streets and buildings of `city` stand: blocks of 48 m on a grid, each with buildings around its edge, and
+towers around all of them."""
 
 import math
 import random
@@ -16,6 +17,13 @@ FIRST_Z = 20.0      # Where row 0 begins, behind the camera; rows go on toward -
 ROWS = range(-2, 7)
 CLOSED_ROW = 3      # From here on blocks stand half a step aside: this row's middle one closes the street.
 STREET_END = FIRST_Z - CLOSED_ROW * STEP_Z  # Where the closing house stands.
+MIDDLE_Z = -128.0   # Of the district, which the towers of the skyline stand around, their fronts toward it,
+TOWERS = 40         # evenly but for chance,
+TOWER_BAYS, TOWER_STOREYS, TOWER_DEPTH = (10, 15), (40, 72), 30.0
+TOWER_DISTANCE = (900.0, 1100.0)
+# and some where the camera's street ends: x, z, bays, storeys.
+LANDMARK_TOWERS = [(-62.0, -930.0, 13, 96), (8.0, -1080.0, 16, 124), (70.0, -880.0, 12, 82)]
+LANDMARK_DEGREES = 12.0  # None of the others stands nearer to that direction.
 
 
 class Dice:
@@ -62,6 +70,8 @@ class Building:
 
 # A building's side on a street; `frame` stands at its left foot, `on_corner` where the building has another one.
 Facade = namedtuple("Facade", "building frame bays on_corner")
+# One of the skyline: its front on a street of its own.
+Tower = namedtuple("Tower", "building facade")
 Block = namedtuple("Block", "column row x z near facades buildings")
 
 
@@ -140,3 +150,24 @@ def make_city(dice):
             blocks.append(Block(column, row, x, z, near, [moved(f, x, z) for f in facades],
                                 (shared_index, buildings)))
     return blocks, shared
+
+
+def make_tower(x, z, degrees, bays, storeys, dice):
+    building = Building(-bays * BAY / 2, bays * BAY / 2, -TOWER_DEPTH, 0.0, storeys, dice)
+    foot = Frame((x, 0.0, z), degrees).point(-bays * BAY / 2, 0.0, 0.0)
+    return Tower(building, Facade(building, Frame(foot, degrees), bays, False))
+
+
+def make_skyline(dice):
+    """Towers in a ring around the district."""
+    towers = [make_tower(x, z, 0.0, bays, storeys, dice) for x, z, bays, storeys in LANDMARK_TOWERS]
+    for i in range(TOWERS):
+        # Degrees from +z; the street ends toward -z.
+        angle = 360.0 * (i + dice.between(-0.25, 0.25)) / TOWERS
+        distance = dice.between(*TOWER_DISTANCE)
+        x = round(distance * math.sin(math.radians(angle)), 3)
+        z = round(MIDDLE_Z + distance * math.cos(math.radians(angle)), 3)
+        bays, storeys = (int(dice.between(low, high + 1)) for low, high in (TOWER_BAYS, TOWER_STOREYS))
+        if abs(angle - 180.0) > LANDMARK_DEGREES:
+            towers.append(make_tower(x, z, round(angle + 180.0, 2), bays, storeys, dice))
+    return towers

@@ -14,7 +14,7 @@ LANTERNS = [(1.0, 0.10, 0.03), (1.0, 0.28, 0.05), (1.0, 0.45, 0.12), (1.0, 0.05,
 LAMP_STEP = 12.5
 LANTERN_ROWS = [-2.5 - 4 * i for i in range(7)] + [-43.5 - 4 * i for i in range(12)] + [-107 - 8 * i for i in range(5)]
 CARS_AWAY, CARS_TOWARD = (-13, -38, -58, -84, -101, -139), (-25, -49, -66, -93, -120, -142)
-SKY_HEIGHT, SKY_COLOR = 90.0, (0.10, 0.19, 0.50)
+SKY_HEIGHT, SKY_SIZE, SKY_COLOR = 300.0, 8000.0, (0.10, 0.19, 0.50)
 
 
 class Traffic:
@@ -33,7 +33,7 @@ class Traffic:
     def add_sky(self):
         """What clouds throw back of the city's light."""
         frame = Frame((0.0, SKY_HEIGHT, STREET_END / 2), 0.0)
-        self._lights.disk("sky", frame, (0.0, 0.0, 0.0), 2400.0, SKY_COLOR, NITS["sky"], DOWN)
+        self._lights.disk("sky", frame, (0.0, 0.0, 0.0), SKY_SIZE, SKY_COLOR, NITS["sky"], DOWN)
 
     def add_side_street(self, x, z, length, along_x):
         """Lamps without posts, seen by nobody: a street's light for what is around."""

@@ -269,6 +269,13 @@ class Walls:
             mesh = self._meshes[key]
         self._document.add_node(f"block {block.column} {block.row}", mesh=mesh, translation=(block.x, 0.0, block.z))
 
+    def add_tower(self, name, tower):
+        """A plain box, its front at the frame."""
+        building, frame = tower.building, tower.facade.frame
+        mesh = self._painted_mesh(name, [building])
+        self._document.add_node(name, mesh=mesh, translation=frame.point(building.right, 0.0, 0.0),
+                                rotation=turn_y(frame.degrees))
+
 
 def cut_back(block, buildings, detailed):
     """Copies of the buildings, drawn back by CORE_DEPTH behind their detailed facades."""

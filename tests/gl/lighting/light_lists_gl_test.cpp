@@ -286,9 +286,27 @@ TEST_P(LightListsTest, thousandsOfLightsTakeTurns) {
     }
 }
 
+TEST_P(LightListsTest, listsAreTheSameWithoutRoomForDecisions) {
+    const gl::ShaderLibrary twin =
+        test::makeTwin("passes/light_lists.comp",
+                       "isKept = walk.decisionCount <= kDecisionsOfWord * lightList.tileCount.w",
+                       "isKept = false");
+    const LightSet lights = LightMaker(5, false).lights(600);
+    ShadingHarness harness(gl(), kSize, false);
+    harness.setPoints(BoundCases(5).makePoints(kSize, false));
+    LightingPass lighting(gl(), library(), {}), without(gl(), twin, {});
+    lighting.setLights(lights);
+    without.setLights(lights);
+    for (const float threshold : {0.0f, 0.01f, 1.0f}) {
+        EXPECT_EQ(shade(without, harness, threshold), shade(lighting, harness, threshold));
+        EXPECT_EQ(without.lightLists()->listedLightCount(),
+                  lighting.lightLists()->listedLightCount());
+    }
+}
+
 TEST_P(LightListsTest, longListsFindRoom) {
-    // All lights before all points: no list is shorter than their number, but there is room for
-    // 128 at first.
+    // All lights before all points: no list is shorter than their number, but there is less room at
+    // first.
     ShadingHarness harness(gl(), 48);
     harness.setPoints(std::vector<ShadingPoint>(48 * 48, {.distance = 6.0f}));
     LightMaker random(3);
