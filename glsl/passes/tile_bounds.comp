@@ -141,7 +141,7 @@ void main() {
     for (uint i = 0u; i < kTileSize * kTileSize; ++i) {
         Surface surface;
         if (readTilePixel(corner, i, surface)) {
-            // A surface that is like none before begins a part, or goes to the last one.
+            // A surface that is like none before begins a part.
             vec4 like = vec4(surface.normalWorld, surface.roughness);
             uint part = partCount;
             for (uint k = kTileParts; k-- > 0u;) part = k < partCount && areLike(like, parts[k].like) ? k : part;

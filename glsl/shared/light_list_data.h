@@ -10,12 +10,13 @@ namespace polylume::shared {
 // Which lights count in which part of the picture. passes/tile_bounds.comp tells what each tile shows,
 // passes/light_lists.comp lists its lights, the lighting reads the lists.
 
-const uint kTileSize = 16;    // Pixels of a tile's side.
-const uint kTileParts = 12;   // A tile's surfaces are bounded in so many parts, each of like normals and roughness.
+const uint kTileSize = 16;   // Pixels of a tile's side.
+const uint kTileParts = 12;  // A tile's surfaces are bounded in so many parts, each of like normals and roughness.
 
 // A tile's list has a section for each kind of light, in this order. A group of lights is listed as a parallelogram, as is
 // a light of another outline where that makes no difference; a tube that is slender enough to be lit by as a strip has a
-// section of its own, as have parallelograms that no horizon of the tile clips, and a ball or tube that is far enough to be lit by as a point is listed by its node.
+// section of its own, as have parallelograms that no horizon of the tile clips, and a ball or tube that is far enough to be
+// lit by as a point is listed by its node.
 const uint kTriangleList = 0;
 const uint kPolygonList = 1;
 const uint kTexturedParallelogramList = 2;

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Polylume authors
 # SPDX-License-Identifier: MIT
-"""A street at night in a district of 600 m, wet from rain, under 16 to 10,000 lights of every shape: lit windows,
-shops, neon, screens, street lamps, cars, lanterns, towers around. `city.py --lights N --seed S -o FILE.glb`; nothing but Python's
-standard library, and the bytes are the same on every machine. With more lights the street stays as it is: those of
-fewer lights are among them, the next ones shine somewhere in the district, and from 1,500 on from its skyline."""
+"""A street at night in a district of 600 m with towers around it, wet from rain, under 16 to 10,000 lights of every
+shape: lit windows, shops, neon, screens, street lamps, cars, lanterns. `city.py --lights N --seed S -o FILE.glb`;
+nothing but Python's standard library, and the bytes are the same on every machine. With more lights the street stays as
+it is: those of fewer lights are among them, the next ones shine somewhere in the district, and from 1,500 on in the
+towers."""
 
 import argparse
 import pathlib
