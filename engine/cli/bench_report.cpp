@@ -170,20 +170,20 @@ ordered_json jsonOf(const bench::CaseResult& one) {
             {"operationsPerPixel", jsonOf(one.pixelOperations)}};
 }
 
-ordered_json jsonOf(const bench::SceneResult::Lists& lists) {
-    return {{"thresholdNits", lists.threshold},
-            {"lightsPerTile", *lists.lightsPerTile},
-            {"lightsAboveThreshold", lists.lightsAboveThreshold}};
-}
-
-/// The same where all lights are lit by.
 ordered_json thresholdJson(const bench::SceneResult::Lists& lists) {
     return {{"thresholdNits", lists.threshold},
             {"lightsAboveThreshold", lists.lightsAboveThreshold}};
 }
 
+/// The same with what the lists hold; null where all lights are lit by.
+ordered_json listsJson(const bench::SceneResult::Lists& lists) {
+    if (!lists.lightsPerTile) return nullptr;
+    ordered_json json = thresholdJson(lists);
+    json["lightsPerTile"] = *lists.lightsPerTile;
+    return json;
+}
+
 ordered_json jsonOf(const bench::SceneResult& scene) {
-    const bool hasLists = scene.lists && scene.lists->lightsPerTile;
     ordered_json passes = ordered_json::object();
     for (const bench::PassResult& pass : scene.passes) {
         passes[pass.name] = jsonOf(pass.milliseconds);
@@ -193,7 +193,7 @@ ordered_json jsonOf(const bench::SceneResult& scene) {
             {"lightingSeconds", jsonOf(scene.lightingSeconds)},
             {"frameSeconds", jsonOf(scene.frameSeconds)},
             {"passMilliseconds", passes},
-            {"lists", hasLists ? jsonOf(*scene.lists) : ordered_json(nullptr)},
+            {"lists", scene.lists ? listsJson(*scene.lists) : ordered_json(nullptr)},
             {"threshold", scene.lists ? thresholdJson(*scene.lists) : ordered_json(nullptr)},
             {"peakMemoryBytes", scene.peakMemoryBytes}};
 }

@@ -19,3 +19,6 @@ float largestDot(Box box, vec3 v) { return dot(max(v, 0.0), box.high) + dot(min(
 
 /// The least one.
 float leastDot(Box box, vec3 v) { return dot(max(v, 0.0), box.low) + dot(min(v, 0.0), box.high); }
+
+/// The least length of a vector of the box.
+float leastLength(Box box) { return length(max(max(box.low, -box.high), 0.0)); }

@@ -100,20 +100,13 @@ LightBound lightBound(TileData tile, LightNodeData node) {
         KernelRange(tile.diffuse.w * distance, wideAbove, view.before, tile.diffuse.w, tile.wide.w, tile.wide.w);
     vec3 wideMost = node.flux.rgb * largestKernel(wide);
     // Specular: v lies in a box.
-    vec3 low, high;
-    for (int i = 0; i < 3; ++i) {
-        Box row = Box(tile.rowLow[i].xyz, tile.rowHigh[i].xyz);
-        float margin = tile.rowLow[i].w * (view.reach + 1e-5 * view.distance);
-        low[i] = leastDot(row, view.offset) - margin;
-        high[i] = largestDot(row, view.offset) + margin;
-    }
+    Box inLobe = lobeBox(tile, view.offset, view.reach + 1e-5 * view.distance);
     float least = tile.rowHigh[0].w;
-    float lobeDistance = max(length(max(max(low, -high), 0.0)), least * distance);
-    KernelRange lobe =
-        KernelRange(lobeDistance, high.z, view.before, least, tile.rowHigh[1].w, tile.rowLow[2].w);
+    KernelRange lobe = KernelRange(max(leastLength(inLobe), least * distance), inLobe.high.z, view.before, least,
+                                   tile.rowHigh[1].w, tile.rowLow[2].w);
     vec3 lobeMost = node.flux.rgb * largestKernel(lobe);
 
-    bound.isWhole = view.least > 0.0 && low.z > 0.0;
+    bound.isWhole = view.least > 0.0 && inLobe.low.z > 0.0;
 
     // Lights cover no more than all directions; a point or a group in their place may seem to.
     vec3 limit = node.radiance.rgb;
@@ -127,7 +120,7 @@ LightBound lightBound(TileData tile, LightNodeData node) {
         // A specular lobe ends at the surface's horizon, where it may be bright.
         bool isCut = view.least <= 0.0;
         float rise = isCut ? 2.0 * view.height : 0.0;
-        float lobeRise = low.z > 0.0 ? 0.0 : 2.0 * lobe.slope * (node.center.w + 1e-5 * view.distance);
+        float lobeRise = inLobe.low.z > 0.0 ? 0.0 : 2.0 * lobe.slope * (node.center.w + 1e-5 * view.distance);
         float diffuse = largestOfChannels(tile.diffuse.rgb) * differenceAtHorizon(replacement, view, lambert, rise);
         float specular = largestOfChannels(tile.specular.rgb) * differenceAtHorizon(replacement, view, lobe, lobeRise);
         float specularMost = largestOfChannels(tile.specular.rgb * lobeMost);

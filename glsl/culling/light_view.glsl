@@ -54,3 +54,15 @@ LightView lightView(TileData tile, LightNodeData node) {
     }
     return view;
 }
+
+/// Where v = M^-1 r of the tile's specular lobes lies, for all r that are no farther than `reach` from `offset`.
+Box lobeBox(TileData tile, vec3 offset, float reach) {
+    Box box;
+    for (int i = 0; i < 3; ++i) {
+        Box row = Box(tile.rowLow[i].xyz, tile.rowHigh[i].xyz);
+        float margin = tile.rowLow[i].w * reach;
+        box.low[i] = leastDot(row, offset) - margin;
+        box.high[i] = largestDot(row, offset) + margin;
+    }
+    return box;
+}

@@ -15,6 +15,13 @@ const float kLeastDistance = 10.0;
 /// How far the shaders' arcs are from a tube's share of a lobe at worst, as a part of it; a strip's edges are not.
 const float kTubeRounding = 3e-4;
 
+/// The terms of the series for the differences of `moments` up to the second order, by x = |M^-1| radius / |v|, and a bound
+/// of all others.
+float capSeries(vec4 moments, float x) {
+    float rest = 10.0 * moments.w / max(1.0 - 2.0 * x, 0.1);
+    return moments.x + x * (3.0 * moments.y + x * (6.0 * moments.z + x * rest));
+}
+
 /// The largest error that an end makes; `offset`: from the tile's center to it.
 float capDifference(TileData tile, vec3 radiance, vec3 offset, float radius, float lineDistance) {
     float distance = length(offset) - tile.center.w - kCapReach * radius;
@@ -32,23 +39,15 @@ float capDifference(TileData tile, vec3 radiance, vec3 offset, float radius, flo
     vec4 moments = vec4(3.0 * share * share, 0.032 + 1.5 * share, 1.1, 1.4);
     float solidAngle = 1.5707964 * radius * radius / (distance * distance);
     float x = radius / distance;
-    float lambert = moments.x + x * (3.0 * moments.y + x * (6.0 * moments.z + x * 10.0 * moments.w / max(1.0 - 2.0 * x, 0.1)));
+    float lambert = capSeries(moments, x);
 
-    vec3 low, high;
-    for (int i = 0; i < 3; ++i) {
-        Box row = Box(tile.rowLow[i].xyz, tile.rowHigh[i].xyz);
-        float margin = tile.rowLow[i].w * (reach + tile.center.w);
-        low[i] = leastDot(row, offset) - margin;
-        high[i] = largestDot(row, offset) + margin;
-    }
-    float lobeDistance = max(length(max(max(low, -high), 0.0)), tile.rowHigh[0].w * distance);
-    float inverse = 1.0 / max(lobeDistance, 1e-7);
+    Box inLobe = lobeBox(tile, offset, reach + tile.center.w);
+    float inverse = 1.0 / max(max(leastLength(inLobe), tile.rowHigh[0].w * distance), 1e-7);
     float stretch = distance * inverse;
     x = tile.rowHigh[1].w * radius * inverse;
-    float series = moments.x + x * (3.0 * moments.y + x * (6.0 * moments.z + x * 10.0 * moments.w / max(1.0 - 2.0 * x, 0.1)));
     // Across the lobe's horizon nothing is known but that both lie below its peak.
-    series = low.z > 0.0 && x < 0.4 ? series : 2.0;
-    float specular = high.z > 0.0 ? stretch * stretch * stretch * series : 0.0;
+    float series = inLobe.low.z > 0.0 && x < 0.4 ? capSeries(moments, x) : 2.0;
+    float specular = inLobe.high.z > 0.0 ? stretch * stretch * stretch * series : 0.0;
     // Nor of the lobes of which no direction is known.
     float wide = 2.0 / max(tile.diffuse.w * tile.diffuse.w * tile.diffuse.w, 1e-20);
     vec3 sum = radiance * (tile.diffuse.rgb * lambert + tile.specular.rgb * specular + tile.wide.rgb * wide);

@@ -168,11 +168,11 @@ void walkNodes(const bool mayBeStrips, uint kind, uint lastNode, uint firstPart,
         bool isWhole = isParallelogram && bound.isWhole && lightList.threshold.x > 0.0;
         bool isFront = isLight && !isParallelogram && !(isFirstTurn && isStrip) && !(isSecondTurn && !isStrip);
         isFar = isFar && !isFirstTurn;
-        uint decision = isFront                             ? kToFront
-                        : isFar                             ? kToFar
-                        : isParallelogram && isWhole        ? kToWhole
-                        : isParallelogram                   ? kToBack
-                                                            : kToNowhere;
+        uint decision = isFront           ? kToFront
+                        : isFar           ? kToFar
+                        : isWhole         ? kToWhole
+                        : isParallelogram ? kToBack
+                                          : kToNowhere;
         decision += isDone && !isLeaf ? kSkips : 0u;
         uint link = floatBitsToUint(data.radiance.w);
         uint entry = isFar ? walk.node : isGroup && isLeaf ? link : floatBitsToUint(data.group.y);

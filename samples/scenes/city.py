@@ -77,9 +77,9 @@ def make(light_count, seed):
                 fittings.add_plain(facade, lit_share(facade))
     skyline_dice = Dice(seed, "skyline")
     skyline_fittings = Fittings(lights, props, None, skyline_dice)
-    for i, tower in enumerate(make_skyline(skyline_dice)):
-        walls.add_tower(f"tower {i + 1}", tower)
-        skyline_fittings.add_tower(tower)
+    for i, facade in enumerate(make_skyline(skyline_dice)):
+        walls.add_tower(f"tower {i + 1}", facade)
+        skyline_fittings.add_tower(facade)
     fittings.add_landmarks()
     traffic = Traffic(lights, props, Dice(seed, "traffic"))
     traffic.add_main_street()

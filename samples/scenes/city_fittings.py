@@ -8,6 +8,7 @@ from city_plan import BAY, GROUND_FLOOR, STOREY, STREET, STREET_END, Frame
 from city_walls import FASCIA, LIGHT_DEPTH, SHOP_WINDOW, WINDOWS, opening_of
 from vectors import turn, turn_y, after
 
+PAINTED_WINDOW = (1.35, 1.9)  # Width and height of the windows that are painted on plain houses.
 WARM = [(1.0, 0.60, 0.28), (1.0, 0.70, 0.40), (1.0, 0.52, 0.20), (1.0, 0.78, 0.52), (1.0, 0.66, 0.34)]
 COOL = [(0.62, 0.80, 1.0), (0.75, 0.92, 1.0), (0.45, 0.70, 1.0)]
 OFFICES = [(1.0, 0.82, 0.60), (1.0, 0.93, 0.82), (0.80, 0.92, 1.0), (1.0, 0.72, 0.44)]
@@ -17,6 +18,11 @@ NEON = [(1.0, 0.03, 0.16), (0.02, 0.36, 1.0), (1.0, 0.24, 0.02), (0.04, 1.0, 0.4
 BLANK = (1.0, 1.0, 1.0)  # Of lights with a picture.
 WASHES = [(1.0, 0.22, 0.08), (1.0, 0.12, 0.36), (0.20, 0.32, 1.0), (0.10, 0.75, 0.85), (1.0, 0.50, 0.16),
           (0.55, 0.16, 1.0), (1.0, 0.62, 0.30), (0.08, 0.20, 1.0), (1.0, 0.34, 0.08)]
+
+
+def painted_window(storey, bay):
+    """Where the middle of a light before one of them is, before the facade."""
+    return (bay + 0.5) * BAY, GROUND_FLOOR + storey * STOREY + 1.65, 0.03
 
 
 def room_color(dice):
@@ -47,21 +53,19 @@ class Fittings:
             for bay in range(facade.bays):
                 if not self._dice.chance(share):
                     continue
-                # As the painted windows are.
-                foot = GROUND_FLOOR + storey * STOREY
-                self._room(facade.frame, ((bay + 0.5) * BAY, foot + 1.65, 0.03), (1.35, 1.9), house_color)
+                self._room(facade.frame, painted_window(storey, bay), PAINTED_WINDOW, house_color)
         if self._dice.chance(share):
             self._line(facade, facade.building.height - 0.8, 0.1)
 
-    def add_tower(self, tower):
+    def add_tower(self, facade):
         """Offices behind a tower's front, all in one colour: most storeys are lit from end to end."""
         color, nits = self._dice.pick(OFFICES), self._dice.pick(NITS["tower window"])
-        for storey in range(tower.building.storeys):
+        for storey in range(facade.building.storeys):
             if not self._dice.chance(0.75):
                 continue
-            for bay in range(tower.facade.bays):
-                place = ((bay + 0.5) * BAY, GROUND_FLOOR + storey * STOREY + 1.65, 0.03)
-                self._lights.rect("tower window", tower.facade.frame, place, (1.35, 1.9), color, nits)
+            for bay in range(facade.bays):
+                place = painted_window(storey, bay)
+                self._lights.rect("tower window", facade.frame, place, PAINTED_WINDOW, color, nits)
 
     def add_landmarks(self):
         """Signs that the camera's street has whatever the seed: one of each outline, and a screen at its end."""

@@ -70,8 +70,6 @@ class Building:
 
 # A building's side on a street; `frame` stands at its left foot, `on_corner` where the building has another one.
 Facade = namedtuple("Facade", "building frame bays on_corner")
-# One of the skyline: its front on a street of its own.
-Tower = namedtuple("Tower", "building facade")
 Block = namedtuple("Block", "column row x z near facades buildings")
 
 
@@ -155,11 +153,11 @@ def make_city(dice):
 def make_tower(x, z, degrees, bays, storeys, dice):
     building = Building(-bays * BAY / 2, bays * BAY / 2, -TOWER_DEPTH, 0.0, storeys, dice)
     foot = Frame((x, 0.0, z), degrees).point(-bays * BAY / 2, 0.0, 0.0)
-    return Tower(building, Facade(building, Frame(foot, degrees), bays, False))
+    return Facade(building, Frame(foot, degrees), bays, False)
 
 
 def make_skyline(dice):
-    """Towers in a ring around the district."""
+    """The fronts of towers in a ring around the district."""
     towers = [make_tower(x, z, 0.0, bays, storeys, dice) for x, z, bays, storeys in LANDMARK_TOWERS]
     for i in range(TOWERS):
         # Degrees from +z; the street ends toward -z.

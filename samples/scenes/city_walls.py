@@ -269,9 +269,9 @@ class Walls:
             mesh = self._meshes[key]
         self._document.add_node(f"block {block.column} {block.row}", mesh=mesh, translation=(block.x, 0.0, block.z))
 
-    def add_tower(self, name, tower):
-        """A plain box, its front at the frame."""
-        building, frame = tower.building, tower.facade.frame
+    def add_tower(self, name, facade):
+        """A plain box behind a tower's front."""
+        building, frame = facade.building, facade.frame
         mesh = self._painted_mesh(name, [building])
         self._document.add_node(name, mesh=mesh, translation=frame.point(building.right, 0.0, 0.0),
                                 rotation=turn_y(frame.degrees))

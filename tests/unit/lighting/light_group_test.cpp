@@ -111,7 +111,7 @@ double fourthMomentOf(const Samples& samples, const glm::dvec3& center) {
     return sum;
 }
 
-/// All that a spread and a group say, against sums over other samples.
+/// All that a group says, against sums over other samples.
 void expectHonest(const FlatLights& lights, double scale) {
     const std::optional<LightGroup> group = groupLights(lights.summaries);
     ASSERT_TRUE(group);
